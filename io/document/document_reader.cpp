@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/document/document_object.h"
 #include "io/document/document_parts.h"
 #include "io/document/document_version_1.h"
 #include "io/document/session_file.h"
@@ -116,14 +117,14 @@ Result<DocumentPane> paneOf(const nlohmann::json& object, const std::string& pla
     return std::move(*read);
 }
 
+}  // namespace
+
 Result<Document> documentOf(const nlohmann::json& object, const std::string& place, const std::string& file,
-                            int sessionVersion = documentVersion) {
-    auto read = paneOf(object, place, file, std::nullopt, true, sessionVersion);
+                            int versionOfFile) {
+    auto read = paneOf(object, place, file, std::nullopt, true, versionOfFile);
     if (!read) return tl::unexpected<Failure>(read.error());
     return std::move(read->document);
 }
-
-}  // namespace
 
 Result<Document> documentFromJson(std::string_view text, const std::string& file) {
     const auto object = rootOf(text, file);

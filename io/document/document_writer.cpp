@@ -3,6 +3,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "io/document/document_object.h"
 #include "io/document/document_parts.h"
 #include "io/document/session_file.h"
 #include "io/json/json_design.h"
@@ -171,6 +172,8 @@ ordered_json comparisonJson(const Comparison& comparison) {
     return object;
 }
 
+}  // namespace
+
 ordered_json documentJson(const Document& document) {
     ordered_json object{{"format", documentFormatName}, {"version", documentVersion}};
     object["study"] = studyJson(document.study);
@@ -186,6 +189,8 @@ ordered_json documentJson(const Document& document) {
     object["motion"] = motionJson(document.motion);
     return object;
 }
+
+namespace {
 
 ordered_json sessionJson(const SavedSession& session) {
     ordered_json object = documentJson(session.document);

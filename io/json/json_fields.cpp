@@ -34,8 +34,8 @@ std::optional<Vec3> vectorOf(const json& value) {
     return vector;
 }
 
-/// Whether lists and objects nest deeper than in any file of this program. Values are read recursively, so deeper ones
-/// would exhaust the stack.
+}  // namespace
+
 bool nestsTooDeep(std::string_view text) {
     constexpr int deepest = 64;
     int depth = 0;
@@ -52,8 +52,6 @@ bool nestsTooDeep(std::string_view text) {
     }
     return false;
 }
-
-}  // namespace
 
 Result<json> jsonObject(std::string_view text, const std::string& file, const std::string& format,
                         const std::string& remedy, int newest) {

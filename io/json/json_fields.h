@@ -22,6 +22,10 @@ namespace echolucent {
 [[nodiscard]] Result<nlohmann::json> jsonObject(std::string_view text, const std::string& file,
                                                 const std::string& format, const std::string& remedy, int newest = 1);
 
+/// Whether lists and objects of a JSON text nest deeper than in any file of this program. Values are read recursively,
+/// so deeper ones would exhaust the stack.
+[[nodiscard]] bool nestsTooDeep(std::string_view text);
+
 /// The first problem of reading a file.
 struct JsonProblems {
     std::string file;
