@@ -90,6 +90,7 @@ void SessionKeeping::noteChange() {
 void SessionKeeping::look() {
     if (m_between || m_parts.openStudy.study() == nullptr) return;
     m_looking.stop();
+    if (m_aside) return;
     const Document document = m_parts.model.ownDocument();
     const bool changed =
         m_inFile ? m_inFile->snapshots != m_snapshots.list() || comparable(m_inFile->document, document) != document
@@ -108,6 +109,15 @@ void SessionKeeping::leave() {
     const int number = m_number++;
     if (first) return;
     writeNext();  // the study that is left gets no checksum any more
+    if (m_aside) return leaveAside();
+    if (std::exchange(m_puttingAside, false)) {
+        m_aside = Aside{m_snapshots.list(), m_file, m_inFile, m_fromLeft, m_fileTime, {}};
+        if (!m_changed) return m_autosave->forget();
+        const Autosave::Left left = m_autosave->leaveBehind();
+        m_aside->left =
+            Leftover{left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}};
+        return;
+    }
     // Another study takes over curves, look and method; a session brings its own.
     const Document document = m_parts.model.ownDocument();
     const Document& opened = m_parts.shown.opened();
@@ -128,6 +138,26 @@ void SessionKeeping::leave() {
         m_left->add(std::move(leftover));
 }
 
+/// Another study takes the place of the one that was looked at for a while.
+void SessionKeeping::leaveAside() {
+    if (m_takingBack || m_puttingAside) return;  // from one lesson to the next the session stays aside
+    if (m_aside->left) m_left->add(std::move(*m_aside->left));
+    m_aside.reset();
+}
+
+/// The session that was put aside goes on.
+void SessionKeeping::goOn() {
+    Aside aside = std::move(*m_aside);
+    m_aside.reset();
+    m_file = aside.file;
+    m_inFile = std::move(aside.inFile);
+    m_fromLeft = aside.fromLeft;
+    m_fileTime = aside.fileTime;
+    if (aside.left) m_autosave->replace({aside.left->file, aside.left->lock});
+    m_snapshots.begin(std::move(aside.snapshots));
+    look();
+}
+
 bool SessionKeeping::isOnItsWay(int number) const {
     return std::ranges::any_of(m_orders, [&](const Order& order) { return order.number == number; });
 }
@@ -144,6 +174,14 @@ void SessionKeeping::begin() {
     m_then = Then::goOn;
     m_file.clear();
     m_inFile.reset();
+    m_puttingAside = false;
+    const bool back = std::exchange(m_takingBack, false);
+    if (m_aside) {
+        if (back) return goOn();
+        m_snapshots.begin({});
+        m_parts.window.setWindowModified(false);
+        return;
+    }
     const QString opened = saved ? QString::fromStdString(saved->file) : QString();
     if (const auto left = m_left->take(opened)) {
         m_file = QString::fromStdString(saved->session.file);

@@ -75,6 +75,14 @@ public:
     /// must stay. False too if a session is being saved: the window closes by itself once that is done.
     [[nodiscard]] bool mayClose();
 
+    /// The next study that opens is one to look at for a while, such as a lesson's. The session is put aside, with its
+    /// file and its snapshots; if it was changed it stays on disk, as if it had been left. What is done meanwhile is
+    /// not kept. If another study is opened instead of coming back, the session that was put aside is left unsaved.
+    void putAside() { m_puttingAside = true; }
+    /// The next study that opens is that of the session that was put aside. It goes on as it was.
+    void takeBack() { m_takingBack = true; }
+    [[nodiscard]] bool isAside() const { return m_aside.has_value(); }
+
     /// Whether nothing is being written or about to be.
     [[nodiscard]] bool atRest() const {
         return !saving() && !m_autosave->busy() && !m_left->looking() && !m_looking.isActive() && !m_autosave->waits();
@@ -91,6 +99,17 @@ private:
     void noteChange();
     /// Finds out whether the session changed.
     void look();
+    /// A session that was put aside.
+    struct Aside {
+        std::vector<Snapshot> snapshots;
+        QString file;
+        std::optional<SavedSession> inFile;
+        bool fromLeft = false;
+        QDateTime fileTime;
+        std::optional<Leftover> left;  ///< its file on disk, if it was changed
+    };
+    void leaveAside();
+    void goOn();
     /// A session on its way to its file.
     struct Order {
         QString file;
@@ -119,6 +138,8 @@ private:
     QString m_file;
     std::optional<SavedSession> m_inFile;  ///< what the file holds; no value without a file or if m_fromLeft is true
     bool m_changed = false;
+    bool m_puttingAside = false, m_takingBack = false;
+    std::optional<Aside> m_aside;
     bool m_between = false;      ///< while another study's document replaces the present one
     bool m_fromLeft = false;     ///< the open session comes from an earlier run and was not saved since
     QTimer m_looking;            ///< runs until look() has seen a change: the document may change with every frame

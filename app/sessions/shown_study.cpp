@@ -133,6 +133,7 @@ void ShownStudy::tellFacts() {
     if (!geometry.spacingKnown) notes << tr("spacing unknown");
     m_parts.status.setNotes(notes);
 
+    if (m_parts.openStudy.given()) return;  // whoever gave the document says what is seen
     if (m_parts.openStudy.isSimulatedScan())
         m_parts.messages.showMessage(MessageKind::info, tr("Open a volume, or drop it here. This is a simulated scan."),
                                      MessageEnd::withStudy(studyTopic));
@@ -173,8 +174,13 @@ void ShownStudy::beginDocument() {
         openedDocuments(m_parts.model.ownDocument(),
                         {openStudy.reference(), openStudy.volume()->dataBox(), m_phases, before, openStudy.finds()},
                         m_parts.picture.aspect());
-    m_opened = std::move(opened.found);
-    if (openStudy.saved()) {
+    m_opened = openStudy.given() ? *openStudy.given() : std::move(opened.found);
+    if (const auto kept = std::exchange(m_broughtBack, std::nullopt)) {
+        m_opened = kept->opened;
+        m_parts.model.comeBack(kept->document);
+    } else if (openStudy.given()) {
+        m_parts.model.begin(m_opened);
+    } else if (openStudy.saved()) {
         m_parts.model.begin(openStudy.saved()->session.document);
     } else {
         m_parts.model.begin(opened.plain);

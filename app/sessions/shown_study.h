@@ -50,6 +50,14 @@ public:
 
     /// The document as it was when the study was opened, with what was found then.
     [[nodiscard]] const Document& opened() const { return m_opened; }
+    /// The document with its steps, and opened(), to come back to them with the study.
+    struct Kept {
+        DocumentModel::Kept document;
+        Document opened;
+    };
+    [[nodiscard]] Kept keep() const { return {m_parts.model.keep(), m_opened}; }
+    /// The next study that is replaced (OpenStudy::comeBack()) begins with what keep() gave.
+    void bringBack(const Kept& kept) { m_broughtBack = kept; }
 
 signals:
     /// Another study's document takes the place of the present one.
@@ -72,6 +80,7 @@ private:
 
     Parts m_parts;
     Document m_opened;
+    std::optional<Kept> m_broughtBack;
     bool m_asked = false;                             ///< a study is being loaded
     int m_phases = 1;                                 ///< of the study
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF

@@ -107,12 +107,23 @@ void OpenStudy::openSeries(std::shared_ptr<const SeriesList> list, std::size_t e
     });
 }
 
-void OpenStudy::openSimulatedScan(const SimulatedScan& scan) {
-    load(scan, [scan](const Progress& progress) -> Result<Opening> {
+namespace {
+
+StudyReader readerOf(const SimulatedScan& scan) {
+    return [scan](const Progress& progress) -> Result<Opening> {
         auto study = simulatedStudy(scan, progress);
         if (!study) return tl::unexpected(study.error());
         return Opening{std::move(*study), nullptr};
-    });
+    };
+}
+
+}  // namespace
+
+void OpenStudy::openSimulatedScan(const SimulatedScan& scan) { load(scan, readerOf(scan)); }
+
+void OpenStudy::openSimulatedScan(const Document& document) {
+    const SimulatedScan scan = std::get<SimulatedScan>(document.study);
+    load(scan, readerOf(scan), std::nullopt, document);
 }
 
 QString OpenStudy::path() const {
@@ -122,14 +133,15 @@ QString OpenStudy::path() const {
 
 void OpenStudy::cancelLoading() { m_loader.cancel(); }
 
-void OpenStudy::load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked) {
+void OpenStudy::load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked,
+                     const std::optional<Document>& given) {
     const auto* file = std::get_if<StudyFile>(&reference);
     const ReadOptions options = file ? file->options : ReadOptions{};
     const QString path = file ? QString::fromStdString(file->path) : QString();
     m_asked = asked.value_or(path);
     m_loadingClock.start();
     emit loadingBegun();
-    m_loader.submit([this, reference, path, options, taken = m_sidesTaken ? m_sidesTaken() : SidesByKind{},
+    m_loader.submit([this, reference, path, options, given, taken = m_sidesTaken ? m_sidesTaken() : SidesByKind{},
                      reader = std::move(reader)](const Progress& progress) -> NewestWinsThread::Deliver {
         Progress telling = progress;
         telling.coarse = [this](const CoarseVolume& coarse) {
@@ -149,32 +161,51 @@ void OpenStudy::load(const StudyReference& reference, StudyReader reader, const 
         for (auto& phase : opening.study->phases) phase = freedElsewhere(std::move(phase));
         auto shared = std::make_shared<const Study>(std::move(*opening.study));
         auto saved = std::move(opening.saved);
-        return [this, reference, shared, series, saved = std::move(saved), finds = std::move(read->finds),
-                histograms = std::move(read->histograms)] {
-            emit aboutToReplace();
+        Kept next{
+            reference, shared, series, std::move(saved), given, std::move(read->finds), std::move(read->histograms)};
+        if (next.saved) next.reference = next.saved->session.document.study;
+        if (auto* named = std::get_if<StudyFile>(&next.reference)) *named = asOpened(std::move(*named), *shared);
+        next.phase = next.saved ? next.saved->session.document.scene.phase : 0;
+        return [this, next = std::move(next)] {
             m_loadingMilliseconds = millisecondsOf(m_loadingClock);
-            m_reference = saved ? saved->session.document.study : reference;
-            if (auto* named = std::get_if<StudyFile>(&m_reference)) *named = asOpened(std::move(*named), *shared);
-            m_saved = saved;
-            m_study = shared;
-            m_filesRead = filesRead(*m_study, m_saved);
-            m_seriesBeside = series;
-            m_histograms = histograms;
-            m_finds = finds;
-            m_quiet.begin(m_study->phases);
-            m_quieteningMilliseconds.reset();
-            m_cut.begin(m_study->phases);
-            m_alsoWanted.reset();
-            m_phase = m_saved ? m_saved->session.document.scene.phase : 0;
-            m_volume = volumeOf(m_phase);
-            m_beginning = true;
-            emit studyReplaced();
-            m_beginning = false;
-            show(m_phase);
-            emit studyOpened();
-            takeChecksum();
+            replaceBy(next);
         };
     });
+}
+
+void OpenStudy::replaceBy(const Kept& next) {
+    emit aboutToReplace();
+    m_reference = next.reference;
+    m_saved = next.saved;
+    m_given = next.given;
+    m_study = next.study;
+    m_filesRead = filesRead(*m_study, m_saved);
+    m_seriesBeside = next.series;
+    m_histograms = next.histograms;
+    m_finds = next.finds;
+    m_quiet.begin(m_study->phases);
+    m_quieteningMilliseconds.reset();
+    m_cut.begin(m_study->phases);
+    m_alsoWanted.reset();
+    m_phase = next.phase;
+    m_volume = volumeOf(m_phase);
+    m_beginning = true;
+    emit studyReplaced();
+    m_beginning = false;
+    show(m_phase);
+    emit studyOpened();
+    takeChecksum();
+}
+
+std::shared_ptr<const OpenStudy::Kept> OpenStudy::keep() const {
+    if (!m_study) return nullptr;
+    return std::make_shared<const Kept>(
+        Kept{m_reference, m_study, m_seriesBeside, m_saved, m_given, m_finds, m_histograms, m_phase});
+}
+
+void OpenStudy::comeBack(const Kept& kept) {
+    m_loader.cancel();
+    replaceBy(kept);
 }
 
 void OpenStudy::takeChecksum() {

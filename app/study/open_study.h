@@ -56,6 +56,16 @@ public:
     [[nodiscard]] std::shared_ptr<const SeriesList> seriesBeside() const { return m_seriesBeside; }
     /// Makes and opens a simulated scan; without a name, the one that a newcomer sees first.
     void openSimulatedScan(const SimulatedScan& scan = {});
+    /// Makes and opens the simulated scan of a document, and begins with that document as a session does. Throws
+    /// std::bad_variant_access if its study is no simulated scan.
+    void openSimulatedScan(const Document& document);
+    /// The document that the open study was opened with by openSimulatedScan(); no value for all other studies.
+    [[nodiscard]] const std::optional<Document>& given() const { return m_given; }
+    /// The open study, to come back to it. It keeps the voxels. Null before the first study.
+    struct Kept;
+    [[nodiscard]] std::shared_ptr<const Kept> keep() const;
+    /// Opens a study that keep() gave once more, at once and without reading it. What is being loaded is dropped.
+    void comeBack(const Kept& kept);
     void cancelLoading();
     /// Sets the words for the status line while loading.
     void setLoadingWords(const QString& words) { m_loader.setWords(words); }
@@ -160,7 +170,9 @@ signals:
 private:
     [[nodiscard]] StudyReader readerOfSaved(const QString& file, const SavedStudyAnswer& answer) const;
     void takeChecksum();
-    void load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked = std::nullopt);
+    void load(const StudyReference& reference, StudyReader reader, const std::optional<QString>& asked = std::nullopt,
+              const std::optional<Document>& given = std::nullopt);
+    void replaceBy(const Kept& next);
     void show(int phase);
     /// Raw voxels of a phase, with what the scalpel cut of them.
     [[nodiscard]] std::shared_ptr<const Volume> volumeOf(int phase);
@@ -179,6 +191,7 @@ private:
     std::shared_ptr<const Volume> m_volume;  ///< cut by the strokes
     std::optional<OpeningFinds> m_finds;
     std::optional<OpenedSession> m_saved;
+    std::optional<Document> m_given;
     std::function<StudySearch()> m_studySearch;
     std::function<SidesByKind()> m_sidesTaken;
     std::vector<IntensityHistogram> m_histograms = std::vector<IntensityHistogram>(1);  // by phase
@@ -192,6 +205,17 @@ private:
     // Last, so that both threads have ended before anything above is destroyed.
     NewestWinsThread m_loader;
     NewestWinsThread m_checksumThread;
+};
+
+struct OpenStudy::Kept {
+    StudyReference reference;
+    std::shared_ptr<const Study> study;
+    std::shared_ptr<const SeriesList> series;
+    std::optional<OpenedSession> saved;
+    std::optional<Document> given;
+    std::optional<OpeningFinds> finds;
+    std::vector<IntensityHistogram> histograms;
+    int phase = 0;  ///< that is shown first
 };
 
 }  // namespace echolucent

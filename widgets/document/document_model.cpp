@@ -140,6 +140,14 @@ void DocumentModel::begin(const Document& document) {
     emit m_steps.changed();
 }
 
+void DocumentModel::comeBack(const Kept& kept) {
+    m_beforePreview.reset();
+    if (kept.document.panes.size() != 1) m_look.reset();
+    m_steps.comeBack(*kept.steps);
+    set(withLook(kept.document));
+    emit m_steps.changed();
+}
+
 void DocumentModel::restore(const Document& document, bool withFrame) {
     // Drop a preview that goes on. `document` is the state to show instead.
     m_beforePreview.reset();

@@ -90,6 +90,14 @@ public:
     void noteChecksum(const StudyReference& study);
     /// Begins another document, and forgets the steps.
     void begin(const Document& document);
+    /// ownDocument() and the steps that led to it, to come back to them.
+    struct Kept {
+        Document document;
+        std::shared_ptr<const DocumentSteps::Kept> steps;
+    };
+    [[nodiscard]] Kept keep() const { return {ownDocument(), m_steps.keep()}; }
+    /// begin() with a document that keep() gave, and with its steps.
+    void comeBack(const Kept& kept);
 
 signals:
     void studyChanged();

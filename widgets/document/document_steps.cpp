@@ -41,6 +41,17 @@ void DocumentSteps::begin(const Document& document) {
     measureLast();
 }
 
+std::shared_ptr<const DocumentSteps::Kept> DocumentSteps::keep() const {
+    return std::make_shared<const Kept>(Kept{m_states, m_index, m_bytes, m_dropped});
+}
+
+void DocumentSteps::comeBack(const Kept& kept) {
+    m_states = kept.states;
+    m_index = kept.index;
+    m_bytes = kept.bytes;
+    m_dropped = kept.dropped;
+}
+
 void DocumentSteps::clear() {
     begin(Document(shown().document));
     emit changed();

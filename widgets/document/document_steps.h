@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
+#include <memory>
 
 #include "processing/document/document.h"
 
@@ -53,10 +54,16 @@ public:
     /// Forgets all steps. The shown state becomes the first.
     void clear();
 
-    // Only the model calls begin() and push(). They emit nothing: the model shows the document first, then emits
-    // changed().
+    /// All steps, to come back to them.
+    struct Kept;
+    [[nodiscard]] std::shared_ptr<const Kept> keep() const;
+
+    // Only the model calls begin(), comeBack() and push(). They emit nothing: the model shows the document first, then
+    // emits changed().
     /// Forgets all steps. `document` becomes the first state.
     void begin(const Document& document);
+    /// The steps become those that keep() gave.
+    void comeBack(const Kept& kept);
     /// Adds a step to `after`. The state shown becomes `before`. Steps that were undone are forgotten. If the step that
     /// led to the shown state has the same text and gesture, both become one, from where that step began. If they then
     /// change nothing but phase and frame, the step is dropped. A step with gesture 0 is never joined. `setsFrame`:
@@ -86,6 +93,13 @@ private:
     int m_index = 0;
     std::size_t m_bytes = 0;
     int m_dropped = 0;
+};
+
+struct DocumentSteps::Kept {
+    std::deque<State> states;
+    int index = 0;
+    std::size_t bytes = 0;
+    int dropped = 0;
 };
 
 }  // namespace echolucent
