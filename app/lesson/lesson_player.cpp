@@ -1,0 +1,315 @@
+#include "app/lesson/lesson_player.h"
+
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLocale>
+#include <QMainWindow>
+#include <QScrollArea>
+#include <utility>
+
+#include "app/compare/compare_room.h"
+#include "app/lesson/shipped_lessons.h"
+#include "app/motion/motion_player.h"
+#include "app/otf/pane_otfs.h"
+#include "app/sessions/session_keeping.h"
+#include "io/document/document_paths.h"
+#include "processing/document/panes.h"
+#include "widgets/compare/compare_panel.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/lesson/lessons_panel.h"
+
+namespace echolucent {
+
+namespace {
+
+constexpr const char* lessonTopic = "lesson";
+constexpr double percent = 100.0;
+
+QString words(const std::string& text) { return QString::fromStdString(text); }
+
+std::string language() { return QLocale().name().section('_', 0, 0).toLower().toStdString(); }
+
+/// The value of "measured.panes[N].KEY".
+std::optional<DocumentValue> measuredOf(const CompareRow& row, std::string_view key) {
+    if (key == "contrast") return row.contrast ? std::optional<DocumentValue>(*row.contrast) : std::nullopt;
+    if (!row.depth) return std::nullopt;
+    for (const auto& [name, shown] : {std::pair<std::string_view, ShownSurface>{"right", ShownSurface::right},
+                                      {"early", ShownSurface::early},
+                                      {"late", ShownSurface::late},
+                                      {"never", ShownSurface::never}})
+        if (name == key)
+            if (const auto share = row.depth->share(shown)) return DocumentValue(percent * *share);
+    return std::nullopt;
+}
+
+}  // namespace
+
+LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
+    : QObject(parent), m_parts(parts), m_outline(parts.window) {
+    connectPanel();
+    connect(&m_parts.openStudy, &OpenStudy::loadingBegun, this, [this] {
+        if (!m_asking) m_entering.reset();
+    });
+    connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_entering.reset(); });
+    connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
+        m_arriving = m_entering.has_value();
+        if (m_arriving) keepBefore();
+    });
+    connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
+        if (std::exchange(m_arriving, false))
+            begin();
+        else if (m_lesson && !m_asking)
+            end();  // another study was opened
+    });
+    // Queued: if the study came, it has been opened by then, else loading was cancelled.
+    connect(
+        &m_parts.openStudy, &OpenStudy::loadingChanged, this,
+        [this] {
+            if (!m_parts.openStudy.loading()) m_entering.reset();
+        },
+        Qt::QueuedConnection);
+    connect(&m_parts.model, &DocumentModel::changed, this, &LessonPlayer::look);
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &LessonPlayer::look);
+    // What is measured is there once a work has ended.
+    connect(&m_parts.works, &Works::changed, this, &LessonPlayer::look, Qt::QueuedConnection);
+}
+
+void LessonPlayer::connectPanel() {
+    LessonsPanel& panel = m_parts.panel;
+    connect(&panel, &LessonsPanel::listWanted, this, [this] { (void)lessons(); });
+    connect(&panel, &LessonsPanel::beginRequested, this, [this](int lesson) {
+        if (lesson >= 0 && static_cast<std::size_t>(lesson) < lessons().size())
+            enter(Lesson(lessons()[static_cast<std::size_t>(lesson)]));
+    });
+    connect(&panel, &LessonsPanel::openRequested, this, &LessonPlayer::chooseFolder);
+    connect(&panel, &LessonsPanel::leaveRequested, this, &LessonPlayer::leave);
+    connect(&panel, &LessonsPanel::nextRequested, this, &LessonPlayer::next);
+    connect(&panel, &LessonsPanel::backRequested, this, &LessonPlayer::back);
+    connect(&panel, &LessonsPanel::skipRequested, this, &LessonPlayer::skip);
+    connect(&panel, &LessonsPanel::resetRequested, this, &LessonPlayer::reset);
+    connect(&panel, &LessonsPanel::answeredRight, this, [this] { m_progress.at(m_step).answered = true; });
+}
+
+const std::vector<Lesson>& LessonPlayer::lessons() {
+    if (m_lessons) return *m_lessons;
+    m_lessons.emplace();
+    QList<LessonEntry> entries;
+    for (const QString& name : shippedLessons()) {
+        auto lesson = lessonFrom(filesOfShipped(name));
+        if (!lesson) {  // a test reads them all
+            m_parts.messages.showMessage(MessageKind::error, words(lesson.error().sentence()),
+                                         MessageEnd::soon(lessonTopic));
+            continue;
+        }
+        const LessonText& text = textIn(*lesson, language());
+        entries << LessonEntry{words(text.title), words(text.summary), lesson->minutes};
+        m_lessons->push_back(std::move(*lesson));
+    }
+    m_parts.panel.setLessons(entries);
+    return *m_lessons;
+}
+
+void LessonPlayer::chooseFolder() {
+    const QString folder = QFileDialog::getExistingDirectory(&m_parts.window, tr("Open a lesson"));
+    if (!folder.isEmpty()) enterFolder(folder);
+}
+
+void LessonPlayer::enterFolder(const QString& folder) {
+    auto lesson = readLesson(folder.toStdString());
+    if (lesson) return enter(*lesson);
+    m_parts.messages.showMessage(MessageKind::error, words(lesson.error().sentence()),
+                                 MessageEnd::withStudy(lessonTopic));
+}
+
+void LessonPlayer::enter(const Lesson& lesson) {
+    if (m_parts.sessions.saving()) {
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("The session is being saved. Begin the lesson once that is done."),
+                                     MessageEnd::soon(lessonTopic));
+        return;
+    }
+    leave();
+    m_parts.messages.takeBack(lessonTopic);
+    m_entering = lesson;
+    m_asking = true;
+    m_parts.openStudy.openSimulatedScan(lesson.begins);
+    m_asking = false;
+}
+
+/// The lesson's scan is made and is about to take the place of the person's study.
+void LessonPlayer::keepBefore() {
+    m_before.emplace();
+    m_before->face = m_parts.face();
+    m_before->compares = m_parts.compare.shown();
+    m_parts.compare.setShown(false);
+    m_before->document = m_parts.shown.keep();
+    m_before->study = m_parts.openStudy.keep();
+    m_parts.sessions.putAside();
+}
+
+void LessonPlayer::begin() {
+    m_lesson = std::exchange(m_entering, std::nullopt);
+    m_progress.assign(m_lesson->steps.size(), {});
+    m_parts.chooseFace(Face::teach);
+    standAside(true);
+    goTo(0, std::nullopt);
+    emit playingChanged(true);
+}
+
+void LessonPlayer::leave() {
+    m_entering.reset();
+    if (!m_lesson) return;
+    const std::optional<Before> before = std::move(m_before);
+    end();
+    m_parts.player.pause();
+    m_parts.compare.setShown(false);
+    if (before && before->study) {
+        m_parts.shown.bringBack(before->document);
+        m_parts.sessions.takeBack();
+        m_parts.openStudy.comeBack(*before->study);
+        m_parts.compare.setShown(before->compares);
+    }
+    if (before) m_parts.chooseFace(before->face);
+}
+
+void LessonPlayer::end() {
+    m_lesson.reset();
+    m_before.reset();
+    m_progress.clear();
+    m_step = 0;
+    m_outline.lieAround(nullptr);
+    standAside(false);
+    m_parts.panel.showList();
+    emit playingChanged(false);
+}
+
+void LessonPlayer::next() {
+    if (!m_lesson) return;
+    if (m_step + 1 == m_lesson->steps.size()) return leave();
+    const LessonStep& following = m_lesson->steps[m_step + 1];
+    goTo(m_step + 1, following.set);
+}
+
+void LessonPlayer::back() {
+    if (m_lesson && m_step > 0) goTo(m_step - 1, m_progress.at(m_step - 1).began);
+}
+
+void LessonPlayer::skip() {
+    if (!m_lesson) return;
+    if (const auto& solved = m_lesson->steps.at(m_step).solved) show(*solved);
+    next();
+}
+
+void LessonPlayer::reset() {
+    if (m_lesson && m_progress.at(m_step).began) show(*m_progress[m_step].began);
+}
+
+void LessonPlayer::goTo(std::size_t step, const std::optional<Document>& document) {
+    m_step = step;
+    const auto& set = m_lesson->steps.at(step).set;
+    if (document)
+        show(*document);
+    else if (step == 0 && set)
+        show(*set);
+    m_progress.at(step).began = m_parts.model.ownDocument();
+    showPage();
+    lookAt(words(m_lesson->steps[step].lookAt));
+    look();
+    emit stepChanged(step);
+}
+
+/// Makes a document of the lesson the present one, as one step, in the room that shows it.
+void LessonPlayer::show(const Document& document) {
+    m_parts.player.pause();
+    Document wanted = document;
+    wanted.study = m_parts.openStudy.reference();
+    if (!isCompared(document)) m_parts.compare.setShown(false);  // panes that are only looked at go too
+    m_parts.model.edit(wanted, tr("lesson: %1").arg(words(textIn(*m_lesson, language()).steps.at(m_step).title)),
+                       DocumentModel::noGesture);
+    m_parts.player.setAngle(static_cast<int>(document.scene.motionAngle));
+    m_parts.compare.setShown(isCompared(document));
+}
+
+void LessonPlayer::showPage() {
+    const LessonText& text = textIn(*m_lesson, language());
+    const LessonStepText& said = text.steps.at(m_step);
+    const LessonStep& step = m_lesson->steps[m_step];
+    LessonPage page{words(text.title), words(said.title),    words(said.text),
+                    words(said.hint),  words(said.question), words(said.explanation)};
+    for (const std::string& answer : said.answers) page.answers << words(answer);
+    page.number = static_cast<int>(m_step) + 1;
+    page.count = static_cast<int>(m_lesson->steps.size());
+    page.right = static_cast<int>(step.right);
+    page.task = step.until.has_value();
+    page.done = isDone();
+    page.answered = m_progress.at(m_step).answered;
+    for (const auto& [name, bytes] : m_lesson->images)
+        page.images.insert(words(name), QByteArray::fromStdString(bytes));
+    m_parts.panel.showPage(page);
+}
+
+bool LessonPlayer::isDone() const {
+    return m_lesson && (!m_lesson->steps.at(m_step).until || m_progress.at(m_step).done);
+}
+
+/// Finds out whether the step is done now.
+void LessonPlayer::look() {
+    if (!m_lesson || isDone() || m_parts.openStudy.beginning()) return;
+    if (!holds(*m_lesson->steps[m_step].until, [this](std::string_view name) { return valueOf(name); })) return;
+    m_progress[m_step].done = true;
+    m_parts.panel.setDone(true);
+}
+
+std::optional<DocumentValue> LessonPlayer::valueOf(std::string_view name) const {
+    if (!isLessonMeasure(name)) {
+        auto value = valueAt(m_parts.model.document(), name);
+        return value ? std::optional(std::move(*value)) : std::nullopt;
+    }
+    if (const auto open = name.find('['); open != std::string_view::npos) {
+        const std::vector<CompareRow>& rows = m_parts.measured.rows();
+        const auto pane = static_cast<std::size_t>(name[open + 1] - '0');
+        if (!m_parts.compare.shown() || pane >= rows.size()) return std::nullopt;
+        return measuredOf(rows[pane], name.substr(name.rfind('.') + 1));
+    }
+    const auto otf = m_parts.otfs.adaptive();
+    if (!otf || !m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return std::nullopt;
+    return DocumentValue(
+        static_cast<double>(name == "measured.tubes" ? otf->tubesMeetingVolume : otf->tubesWithWeight));
+}
+
+void LessonPlayer::standAside(bool aside) {
+    QDockWidget* dock = nullptr;
+    for (QWidget* around = &m_parts.panel; around != nullptr && dock == nullptr; around = around->parentWidget())
+        dock = qobject_cast<QDockWidget*>(around);
+    if (dock == nullptr || dock->isFloating()) return;
+    if (aside) {
+        constexpr int width = 300;  // pixels; at 1280 the picture keeps 640
+        m_parts.window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        m_parts.window.resizeDocks({dock}, {width}, Qt::Horizontal);
+    } else {
+        m_parts.window.addDockWidget(Qt::RightDockWidgetArea, dock);
+        for (QDockWidget* each : m_parts.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+            if (each != dock && !each->isFloating()) {
+                m_parts.window.tabifyDockWidget(each, dock);
+                break;
+            }
+    }
+    dock->show();
+    dock->raise();
+}
+
+/// Brings a control into view and outlines it.
+void LessonPlayer::lookAt(const QString& name) {
+    auto* target = name.isEmpty() ? nullptr : m_parts.window.findChild<QWidget*>(name);
+    for (QWidget* around = target; around != nullptr; around = around->parentWidget()) {
+        auto* dock = qobject_cast<QDockWidget*>(around);
+        if (dock == nullptr) continue;
+        dock->show();
+        dock->raise();
+    }
+    for (QWidget* around = target; around != nullptr; around = around->parentWidget())
+        if (auto* scroll = qobject_cast<QScrollArea*>(around)) scroll->ensureWidgetVisible(target);
+    m_outline.lieAround(target);
+}
+
+}  // namespace echolucent

@@ -1,0 +1,128 @@
+// Plays lessons in the window: what a step shows, when it is done, and the way back to a person's own work.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/sessions/shown_study.h"
+#include "app/settings/face.h"
+#include "app/study/open_study.h"
+#include "processing/lesson/lesson.h"
+#include "widgets/lesson/lesson_outline.h"
+
+class QMainWindow;
+
+namespace echolucent {
+
+class ComparePanel;
+class CompareRoom;
+class LessonsPanel;
+class MessageBar;
+class MotionPlayer;
+class PaneOtfs;
+class SessionKeeping;
+class Works;
+
+/// A lesson is entered and left as a session is. Entering opens the lesson's simulated scan in Teach; the person's
+/// study, document, steps and session are kept, and leaving brings them back, with the face and the room that were
+/// shown. If another study is opened in a lesson, the lesson ends there, and what was changed and not saved before it
+/// is left unsaved. What a step sets is one step of the history.
+///
+///            enter()               the scan is made                leave(), or after the last step
+///   [none] ----------> [entering] ------------------> [playing] ----------------------------------> [none]
+class LessonPlayer : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QMainWindow& window;
+        DocumentModel& model;
+        OpenStudy& openStudy;
+        Works& works;
+        PaneOtfs& otfs;
+        MotionPlayer& player;
+        CompareRoom& compare;
+        const ComparePanel& measured;
+        ShownStudy& shown;
+        SessionKeeping& sessions;
+        LessonsPanel& panel;
+        MessageBar& messages;
+        std::function<Face()> face;
+        std::function<void(Face)> chooseFace;
+    };
+    /// What the parts refer to must outlive this object.
+    explicit LessonPlayer(const Parts& parts, QObject* parent = nullptr);
+
+    /// The lessons that come with the program; read when they are asked for first.
+    [[nodiscard]] const std::vector<Lesson>& lessons();
+    /// Begins a lesson, which must hold its rules. Leaves one that is played. Says in a message if a session is just
+    /// being saved, and then does nothing.
+    void enter(const Lesson& lesson);
+    /// Begins the lesson in a folder, or says in a message why not.
+    void enterFolder(const QString& folder);
+    /// Ends the lesson at once and brings the person's own work back. Does nothing if none is played.
+    void leave();
+    /// Whether a lesson is played; false while its scan is being made.
+    [[nodiscard]] bool playing() const { return m_lesson.has_value(); }
+    /// The step that is shown, counted from 0.
+    [[nodiscard]] std::size_t step() const { return m_step; }
+    /// Whether the present step's condition has held since the step began, or it has none.
+    [[nodiscard]] bool isDone() const;
+
+    void next();
+    void back();
+    /// Solves the step by its document and goes on.
+    void skip();
+    /// Sets the document as it was when the step began.
+    void reset();
+
+    /// The value of a name in a condition (lessonMeasures(), or a path into the document); none if it is not known now.
+    [[nodiscard]] std::optional<DocumentValue> valueOf(std::string_view name) const;
+
+signals:
+    /// A lesson has begun or ended.
+    void playingChanged(bool playing);
+    /// Another step is shown.
+    void stepChanged(std::size_t step);
+
+private:
+    /// What was open before the lesson.
+    struct Before {
+        std::shared_ptr<const OpenStudy::Kept> study;
+        ShownStudy::Kept document;
+        Face face = Face::review;
+        bool compares = false;
+    };
+    struct Progress {
+        std::optional<Document> began;  ///< the document with which the step began, once it did
+        bool done = false, answered = false;
+    };
+    void connectPanel();
+    void chooseFolder();
+    void keepBefore();
+    void begin();
+    void end();
+    void goTo(std::size_t step, const std::optional<Document>& document);
+    void show(const Document& document);
+    void showPage();
+    void look();
+    void lookAt(const QString& name);
+    /// The panel stands left of the picture while a lesson is played: its words are seen beside any other panel.
+    void standAside(bool aside);
+
+    Parts m_parts;
+    std::optional<std::vector<Lesson>> m_lessons;
+    std::optional<Lesson> m_entering;  ///< while its scan is being made
+    bool m_asking = false;             ///< while this object asks for a study
+    bool m_arriving = false;           ///< while the study of m_entering replaces the present one
+    std::optional<Lesson> m_lesson;
+    std::optional<Before> m_before;
+    std::size_t m_step = 0;
+    std::vector<Progress> m_progress;
+    LessonOutline m_outline;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,268 @@
+#include "widgets/lesson/lessons_panel.h"
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QListWidget>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/controls/panel_controls.h"
+#include "widgets/lesson/lesson_text_view.h"
+
+namespace echolucent {
+
+namespace {
+
+/// A radio button whose words take as many lines as they need. A click on the words chooses it too.
+class AnswerWords : public QLabel {
+public:
+    AnswerWords(const QString& words, QRadioButton* button, QWidget* parent) : QLabel(parent), m_button(button) {
+        setTextFormat(Qt::MarkdownText);
+        setText(words);
+        setWordWrap(true);
+        setBuddy(button);
+    }
+
+protected:
+    void mouseReleaseEvent(QMouseEvent* event) override {
+        if (event->button() == Qt::LeftButton && rect().contains(event->pos())) m_button->click();
+    }
+
+private:
+    QRadioButton* m_button;
+};
+
+QToolButton* tool(const QString& text, const QString& name, const QString& tip, QWidget* parent) {
+    auto* button = named(new QToolButton(parent), name, text, tip);
+    button->setText(text);
+    return button;
+}
+
+}  // namespace
+
+LessonsPanel::LessonsPanel(QWidget* parent) : QWidget(parent), m_pages(new QStackedWidget(this)) {
+    setObjectName("lessons");
+    setAccessibleName(tr("Lessons"));
+    m_pages->addWidget(createList());
+    m_pages->addWidget(createPage());
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_pages);
+}
+
+QWidget* LessonsPanel::createList() {
+    auto* page = new QWidget(m_pages);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_list = named(new QListWidget(page), "lessons.list", tr("Lessons"), tr("A double click begins a lesson"));
+    m_list->setWordWrap(true);
+    m_list->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_summary = named(new QLabel(page), "lessons.summary", tr("What the lesson is about"));
+    m_summary->setTextFormat(Qt::MarkdownText);
+    m_summary->setWordWrap(true);
+    m_begin = named(new QPushButton(tr("Begin"), page), "lessons.begin", tr("Begin the lesson"),
+                    tr("Opens the lesson's simulated scan. Your own study, document and history come back afterwards"));
+    auto* open = tool(tr("Open a lesson…"), "lessons.open", tr("Opens a lesson from a folder"), page);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_begin);
+    row->addStretch(1);
+    row->addWidget(open);
+    column->addWidget(m_list, 1);
+    column->addWidget(m_summary);
+    column->addLayout(row);
+    connect(m_list, &QListWidget::currentRowChanged, this, &LessonsPanel::showEntry);
+    connect(m_list, &QListWidget::itemActivated, this, [this] { emit beginRequested(m_list->currentRow()); });
+    connect(m_begin, &QPushButton::clicked, this, [this] { emit beginRequested(m_list->currentRow()); });
+    connect(open, &QToolButton::clicked, this, &LessonsPanel::openRequested);
+    showEntry(-1);
+    return page;
+}
+
+QWidget* LessonsPanel::createPage() {
+    auto* page = new QWidget(m_pages);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* head = new QHBoxLayout;
+    m_lesson = secondaryLabel();
+    m_lesson->setWordWrap(true);
+    auto* leave =
+        tool(tr("Leave"), "lessons.leave", tr("Ends the lesson. Your own study, document and history come back"), page);
+    connect(leave, &QToolButton::clicked, this, &LessonsPanel::leaveRequested);
+    head->addWidget(m_lesson, 1);
+    head->addWidget(leave, 0, Qt::AlignTop);
+    m_title = named(new QLabel(page), "lessons.title", tr("Step"));
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    QFont font = m_title->font();
+    font.setBold(true);
+    m_title->setFont(font);
+    m_progress = named(secondaryLabel(), "lessons.progress", tr("Progress"));
+    column->addLayout(head);
+    column->addWidget(m_title);
+    column->addWidget(m_progress);
+    column->addWidget(createText(), 1);
+    column->addWidget(createButtons());
+    return page;
+}
+
+QWidget* LessonsPanel::createText() {
+    m_scroll = new QScrollArea(m_pages);
+    m_scroll->setObjectName("lessons.scroll");
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget(m_scroll);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, 4, 0);
+    m_text = named(new LessonTextView(content), "lessons.text", tr("Text of the step"));
+    m_hint = tool(tr("Hint"), "lessons.hint", tr("Shows how the step is done"), content);
+    m_hint->setCheckable(true);
+    m_hintText = named(new LessonTextView(content), "lessons.hintText", tr("Hint"));
+    m_question = named(new LessonTextView(content), "lessons.question", tr("Question"));
+    m_answers = new QWidget(content);
+    m_answerRows = new QVBoxLayout(m_answers);
+    m_answerRows->setContentsMargins(0, 0, 0, 0);
+    m_verdict = named(new QLabel(content), "lessons.verdict", tr("Whether the answer is right"));
+    m_verdict->setWordWrap(true);
+    m_explanation = named(new LessonTextView(content), "lessons.explanation", tr("Explanation of the answer"));
+    column->addWidget(m_text);
+    column->addWidget(m_hint, 0, Qt::AlignLeft);
+    column->addWidget(m_hintText);
+    column->addWidget(m_question);
+    column->addWidget(m_answers);
+    column->addWidget(m_verdict);
+    column->addWidget(m_explanation);
+    column->addStretch(1);
+    m_scroll->setWidget(content);
+    connect(m_hint, &QToolButton::toggled, m_hintText, &QWidget::setVisible);
+    return m_scroll;
+}
+
+QWidget* LessonsPanel::createButtons() {
+    auto* buttons = new QWidget(m_pages);
+    auto* column = new QVBoxLayout(buttons);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_done = named(new QLabel(buttons), "lessons.done", tr("Whether the step is done"));
+    m_done->setWordWrap(true);
+    auto* row = new QHBoxLayout;
+    m_back = tool(tr("Back"), "lessons.back", tr("Goes to the step before, as it was when it began"), buttons);
+    m_reset = tool(tr("Reset"), "lessons.reset", tr("Sets everything as it was when this step began"), buttons);
+    m_skip = tool(tr("Skip"), "lessons.skip", tr("Does this step for you and goes on"), buttons);
+    m_next = named(new QPushButton(tr("Next"), buttons), "lessons.next", tr("Next step"), tr("Goes to the next step"));
+    row->addWidget(m_back);
+    row->addWidget(m_reset);
+    row->addWidget(m_skip);
+    row->addStretch(1);
+    row->addWidget(m_next);
+    column->addWidget(m_done);
+    column->addLayout(row);
+    connect(m_back, &QToolButton::clicked, this, &LessonsPanel::backRequested);
+    connect(m_reset, &QToolButton::clicked, this, &LessonsPanel::resetRequested);
+    connect(m_skip, &QToolButton::clicked, this, &LessonsPanel::skipRequested);
+    connect(m_next, &QPushButton::clicked, this, &LessonsPanel::nextRequested);
+    return buttons;
+}
+
+void LessonsPanel::setLessons(const QList<LessonEntry>& lessons) {
+    m_asked = true;
+    m_lessons = lessons;
+    m_list->clear();
+    for (const LessonEntry& lesson : lessons)
+        m_list->addItem(tr("%1\n%2 minutes").arg(lesson.title).arg(lesson.minutes));
+    m_list->setCurrentRow(lessons.isEmpty() ? -1 : 0);
+}
+
+void LessonsPanel::showEntry(int lesson) {
+    m_summary->setText(m_lessons.value(lesson).summary);
+    enableOrSayWhy(*m_begin, lesson >= 0, tr("Choose a lesson."));
+}
+
+void LessonsPanel::showList() { m_pages->setCurrentIndex(0); }
+
+void LessonsPanel::showPage(const LessonPage& page) {
+    m_page = page;
+    m_lesson->setText(page.lesson);
+    m_title->setText(page.title);
+    m_progress->setText(tr("Step %1 of %2").arg(page.number).arg(page.count));
+    for (LessonTextView* view : {m_text, m_hintText, m_question, m_explanation}) view->setImages(page.images);
+    m_text->showMarkdown(page.text);
+    m_hintText->showMarkdown(page.hint);
+    m_question->showMarkdown(page.question);
+    m_explanation->showMarkdown(page.explanation);
+    m_hint->setVisible(!page.hint.isEmpty());
+    m_hint->setChecked(false);
+    m_hintText->hide();
+    m_question->setVisible(!page.question.isEmpty());
+    showAnswers(page);
+    m_back->setEnabled(page.number > 1);
+    m_next->setText(page.number == page.count ? tr("Finish") : tr("Next"));
+    m_skip->setVisible(page.task);
+    showWhatIsDone();
+    m_pages->setCurrentIndex(1);
+    m_scroll->verticalScrollBar()->setValue(0);
+}
+
+void LessonsPanel::showAnswers(const LessonPage& page) {
+    qDeleteAll(m_answers->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    for (int i = 0; i < page.answers.size(); ++i) {
+        auto* row = new QWidget(m_answers);
+        auto* line = new QHBoxLayout(row);
+        line->setContentsMargins(0, 0, 0, 0);
+        auto* button = named(new QRadioButton(row), QStringLiteral("lessons.answer.%1").arg(i), page.answers[i]);
+        button->setAutoExclusive(false);
+        button->setChecked(page.answered && i == page.right);
+        connect(button, &QRadioButton::clicked, this, [this, i] { answer(i); });
+        line->addWidget(button, 0, Qt::AlignTop);
+        line->addWidget(new AnswerWords(page.answers[i], button, row), 1);
+        m_answerRows->addWidget(row);
+        row->show();
+    }
+    m_answers->setVisible(!page.answers.isEmpty());
+    m_verdict->setVisible(page.answered);
+    m_verdict->setText(page.answered ? tr("Right.") : QString());
+    m_explanation->setVisible(page.answered && !page.explanation.isEmpty());
+}
+
+void LessonsPanel::answer(int place) {
+    const QList<QRadioButton*> buttons = m_answers->findChildren<QRadioButton*>();
+    for (QRadioButton* button : buttons)
+        button->setChecked(button->objectName() == QStringLiteral("lessons.answer.%1").arg(place));
+    const bool right = place == m_page.right;
+    m_verdict->setText(right ? tr("Right.") : tr("No. Look once more."));
+    m_verdict->show();
+    m_explanation->setVisible(right && !m_page.explanation.isEmpty());
+    if (!right || m_page.answered) return;
+    m_page.answered = true;
+    showWhatIsDone();
+    emit answeredRight();
+}
+
+void LessonsPanel::setDone(bool done) {
+    m_page.done = done;
+    showWhatIsDone();
+}
+
+void LessonsPanel::showWhatIsDone() {
+    const bool asks = !m_page.answers.isEmpty();
+    const bool done = m_page.done && (!asks || m_page.answered);
+    m_done->setVisible(m_page.task || asks);
+    m_done->setText(done ? tr("✓ Done.")
+                    : m_page.done && asks
+                        ? m_page.task ? tr("✓ Done. The question is open.") : tr("The question is open.")
+                        : tr("To do."));
+}
+
+void LessonsPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    if (std::exchange(m_asked, true)) return;
+    emit listWanted();
+}
+
+}  // namespace echolucent

@@ -1,0 +1,100 @@
+// The panel of lessons: the list of them, or the step that is played.
+#pragma once
+
+#include <QByteArray>
+#include <QList>
+#include <QMap>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+
+class QLabel;
+class QListWidget;
+class QPushButton;
+class QScrollArea;
+class QStackedWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace echolucent {
+
+class LessonTextView;
+
+/// A lesson in the list.
+struct LessonEntry {
+    QString title, summary;
+    int minutes = 0;
+};
+
+/// A step as the panel shows it. Texts are Markdown.
+struct LessonPage {
+    QString lesson, title, text, hint, question, explanation;
+    QStringList answers{};
+    int number = 1, count = 1;  ///< of the step, from 1 on
+    int right = 0;              ///< the right answer, counted from 0
+    bool task = false;          ///< whether there is something to do
+    bool done = false;          ///< whether it is done
+    bool answered = false;      ///< whether the question was answered right
+    QMap<QString, QByteArray> images{};
+};
+
+/// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open; lessons.title,
+/// lessons.progress, lessons.leave, lessons.scroll, lessons.text, lessons.hint, lessons.hintText, lessons.question,
+/// lessons.answer.N, lessons.verdict, lessons.explanation, lessons.done, lessons.back, lessons.next, lessons.skip,
+/// lessons.reset. No setter emits a signal.
+class LessonsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LessonsPanel(QWidget* parent = nullptr);
+
+    void setLessons(const QList<LessonEntry>& lessons);
+    /// Shows the list again.
+    void showList();
+    void showPage(const LessonPage& page);
+    /// Whether the step that is shown is done.
+    void setDone(bool done);
+
+signals:
+    /// The panel is seen for the first time, and needs its list.
+    void listWanted();
+    void beginRequested(int lesson);
+    /// A person wants a lesson from a folder of their own.
+    void openRequested();
+    void leaveRequested();
+    void nextRequested();
+    void backRequested();
+    void skipRequested();
+    void resetRequested();
+    /// The question was answered right.
+    void answeredRight();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+
+private:
+    [[nodiscard]] QWidget* createList();
+    [[nodiscard]] QWidget* createPage();
+    [[nodiscard]] QWidget* createText();
+    [[nodiscard]] QWidget* createButtons();
+    void showAnswers(const LessonPage& page);
+    void answer(int place);
+    void showEntry(int lesson);
+    void showWhatIsDone();
+
+    QList<LessonEntry> m_lessons;
+    LessonPage m_page;
+    bool m_asked = false;  ///< for the list
+    QStackedWidget* m_pages;
+    QListWidget* m_list = nullptr;
+    QLabel *m_summary = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_progress = nullptr, *m_done = nullptr;
+    QPushButton *m_begin = nullptr, *m_next = nullptr;
+    QToolButton *m_back = nullptr, *m_skip = nullptr, *m_reset = nullptr, *m_hint = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    LessonTextView *m_text = nullptr, *m_hintText = nullptr, *m_question = nullptr, *m_explanation = nullptr;
+    QLabel* m_verdict = nullptr;
+    QWidget* m_answers = nullptr;
+    QVBoxLayout* m_answerRows = nullptr;
+};
+
+}  // namespace echolucent
