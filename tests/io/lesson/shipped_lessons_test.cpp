@@ -1,0 +1,128 @@
+// The lessons that come with the program, played through their own conditions without a window.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/document/document_paths.h"
+#include "io/lesson/lesson_file.h"
+#include "io/study/simulated_study.h"
+#include "processing/adaptive/adaptive_otf.h"
+#include "processing/document/panes.h"
+#include "processing/pane_picture/pane_measures.h"
+
+namespace echolucent {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> lessonFolders() {
+    std::vector<std::string> folders;
+    for (const auto& each : fs::directory_iterator(std::string(ECHOLUCENT_SOURCE_DIR) + "/resources/lessons"))
+        folders.push_back(each.path().string());
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+std::shared_ptr<const Volume> scanOf(const Lesson& lesson) {
+    static std::map<std::string, std::shared_ptr<const Volume>> made;
+    const auto& scan = std::get<SimulatedScan>(lesson.begins.study);
+    auto& volume = made[textAt(lesson.begins, "study").value()];
+    if (volume) return volume;
+    return volume = simulatedStudy(scan)->phases.front();
+}
+
+/// What the window knows of a document: its values, and what it measures at rest.
+class Window {
+public:
+    Window(const Document& document, const std::shared_ptr<const Volume>& scan) : m_document(document), m_scan(scan) {}
+
+    std::optional<DocumentValue> valueOf(std::string_view name) {
+        if (!isLessonMeasure(name)) {
+            auto value = valueAt(m_document, name);
+            return value ? std::optional(*value) : std::nullopt;
+        }
+        if (name.starts_with("measured.tubes")) {
+            const auto otf = adaptOpacity(*m_scan, otfViewpointOf(m_document, firstPane), configOf(m_document));
+            return static_cast<double>(name == "measured.tubes" ? otf->tubesMeetingVolume : otf->tubesWithWeight);
+        }
+        const auto pane = static_cast<std::size_t>(name[name.find('[') + 1] - '0');
+        if (!isCompared(m_document) || pane >= m_document.panes.size()) return std::nullopt;
+        if (m_measures.empty()) m_measures = *measuresOfPanes(m_document, {.scans = {m_scan}});
+        const ClassificationMeasures& measures = m_measures[pane]->measures;
+        const std::string_view key = name.substr(name.rfind('.') + 1);
+        if (key == "contrast") return measures.contrast.contrastToNoise();
+        const ShownSurface shown = key == "right"   ? ShownSurface::right
+                                   : key == "early" ? ShownSurface::early
+                                   : key == "late"  ? ShownSurface::late
+                                                    : ShownSurface::never;
+        return 100.0 * *measures.depth.share(shown);
+    }
+
+private:
+    const Document& m_document;
+    std::shared_ptr<const Volume> m_scan;
+    std::vector<std::optional<PaneMeasures>> m_measures;
+};
+
+bool isReached(const LessonCondition& until, const Document& document, const std::shared_ptr<const Volume>& scan) {
+    Window window(document, scan);
+    return holds(until, [&](std::string_view name) { return window.valueOf(name); });
+}
+
+TEST(ShippedLessons, EachKeepsItsRules) {
+    const std::vector<std::string> folders = lessonFolders();
+    ASSERT_FALSE(folders.empty());
+    for (const std::string& folder : folders) {
+        const auto lesson = readLesson(folder);
+        ASSERT_TRUE(lesson) << lesson.error().sentence();
+        EXPECT_EQ(problemOf(*lesson), "") << folder;
+        EXPECT_GE(lesson->steps.size(), 8U) << folder;
+        EXPECT_LE(lesson->steps.size(), 12U) << folder;
+        std::size_t questions = 0, tasks = 0;
+        const LessonText& text = textIn(*lesson, "en");
+        for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
+            const LessonStep& step = lesson->steps[i];
+            questions += step.answers > 0 ? 1 : 0;
+            tasks += step.until ? 1 : 0;
+            EXPECT_EQ(step.until.has_value(), step.solved.has_value()) << step.id << ": a task has a solution";
+            EXPECT_TRUE(!step.until || !text.steps[i].hint.empty()) << step.id << ": a task has a hint";
+            EXPECT_TRUE(step.answers == 0 || !text.steps[i].explanation.empty()) << step.id;
+        }
+        EXPECT_GE(questions, 4U) << folder;
+        EXPECT_GE(tasks, 3U) << folder;
+    }
+}
+
+bool isMeasured(const LessonCondition& until) {
+    return std::ranges::any_of(namesIn(until), [](const std::string& name) { return isLessonMeasure(name); });
+}
+
+/// Applies the solution of each step whose condition is measured, or is not.
+void playSteps(bool measured) {
+    int played = 0;
+    for (const std::string& folder : lessonFolders()) {
+        const auto lesson = readLesson(folder);
+        ASSERT_TRUE(lesson) << lesson.error().sentence();
+        for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
+            const LessonStep& step = lesson->steps[i];
+            if (!step.until || isMeasured(*step.until) != measured) continue;
+            ++played;
+            const auto scan = measured ? scanOf(*lesson) : nullptr;
+            EXPECT_FALSE(isReached(*step.until, documentBefore(*lesson, i), scan)) << folder << " " << step.id;
+            EXPECT_TRUE(isReached(*step.until, documentAfter(*lesson, i), scan)) << folder << " " << step.id;
+        }
+    }
+    EXPECT_GT(played, 0);
+}
+
+TEST(ShippedLessons, EachStepIsDoneByItsSolutionAndNotBefore) { playSteps(false); }
+
+TEST(LongShippedLessons, EachMeasuredStepIsDoneByItsSolutionAndNotBefore) { playSteps(true); }
+
+}  // namespace
+}  // namespace echolucent
