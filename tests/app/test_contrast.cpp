@@ -158,7 +158,9 @@ private:
         for (int row = 0; row < table.rowCount(); ++row)
             for (int column = 0; column < table.columnCount(); ++column) {
                 const QRect place = table.visualItemRect(table.item(row, column));
-                if (table.item(row, column)->text().isEmpty() || !table.viewport()->rect().contains(place)) continue;
+                // What a scroll area cuts off has no pixels.
+                const bool whole = (QRegion(place) - table.viewport()->visibleRegion()).isEmpty();
+                if (table.item(row, column)->text().isEmpty() || !whole) continue;
                 measure(image, place.translated(corner), table.item(row, column)->text());
             }
     }
