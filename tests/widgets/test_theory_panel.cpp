@@ -7,6 +7,8 @@
 #include <QTest>
 #include <memory>
 
+#include "processing/adaptive/adaptive_otf_result.h"
+#include "processing/document/curve_set.h"
 #include "processing/theory/theory_plots.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/widgets/panel_controls.h"
@@ -76,6 +78,32 @@ private slots:
         showsItsSetting();
         type("theory.fluidUnits", "50");
         QCOMPARE(m_panel->setting().model.tissue, 0.4321);  // not rounded to what its field shows
+    }
+
+    void intensitiesAreTheMeansOfTheSurfacesFound() {
+        const CurveSet curves;
+        QVERIFY(!studyIntensities(nullptr, curves));
+        AdaptiveOtf otf;
+        otf.curve.opacities = {0.0, 0.5, 1.0};
+        TubeCore tube;
+        tube.lowIntensity = 0.1;
+        tube.highIntensity = 0.5;
+        tube.d = 3.0;
+        otf.tubes.push_back(tube);
+        tube.lowIntensity = 0.2;
+        tube.highIntensity = 0.3;
+        tube.d = 1.0;
+        otf.tubes.push_back(tube);
+        QVERIFY2(!studyIntensities(&otf, curves), "no tube core is said to have a weight");
+        otf.tubesWithWeight = 2;
+        const auto found = studyIntensities(&otf, curves);
+        QVERIFY(found);
+        QCOMPARE(found->fluid, 0.125);  // (3 * 0.1 + 1 * 0.2) / 4
+        QCOMPARE(found->tissue, 0.45);
+        QVERIFY(found->given.adaptive == otf.curve);
+        QVERIFY(found->given.equation1 == curves.linear);
+        otf.surfacesWhereDataBegin = true;
+        QVERIFY2(!studyIntensities(&otf, curves), "where data begin there is no fluid");
     }
 
     void nothingIsComputedWhileNobodySeesIt() {

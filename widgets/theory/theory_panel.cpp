@@ -160,6 +160,7 @@ QTableWidget* TheoryPanel::createTable() {
         tr("C(r) by eqs. 2 and 3, share of white: of a ray through fluid alone, and of one into tissue"));
     table->setHorizontalHeaderLabels(headings);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setTabKeyNavigation(false);  // Tab goes on to the next control
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
