@@ -114,8 +114,7 @@ void addModel(const TheoryFindings& found, HtmlPage& page) {
         "Contrast is the difference of both pixels as a share of white: what an eye sees on a screen. Michelson "
         "contrast (difference over sum) and Weber contrast (difference over the fluid's pixel) stand in the tables, "
         "but "
-        "do not decide: they rise as the fluid turns black, however dark the tissue is. By them the highest power "
-        "always wins, even if its picture is all but black.");
+        "do not decide: they rise as the fluid turns black, however dark the tissue is.");
     page.plot(opacityPlot(setting));
     addTable(page, modelTable(with(setting, OpacityScaling::sameScale)), "The same a for all curves");
     addTable(page, modelTable(with(setting, OpacityScaling::sameAtTissue)),
