@@ -54,7 +54,10 @@ TubeCoreExplaining::TubeCoreExplaining(const Parts& parts, QObject* parent)
     connect(&panel, &TubeCorePanel::configChanged, this, &TubeCoreExplaining::setMethod);
     connect(&panel, &TubeCorePanel::compareRequested, this, &TubeCoreExplaining::compare);
     connect(&m_parts.choice, &TubeCoreChoice::shownChanged, &panel, &TubeCorePanel::setShown);
-    connect(&m_parts.choice, &TubeCoreChoice::chosen, this, &TubeCoreExplaining::follow);
+    connect(&m_parts.choice, &TubeCoreChoice::chosen, this, [this] {
+        m_parts.panel.setChosen(m_parts.choice.number());
+        follow();
+    });
     connect(&m_parts.otfs, &PaneOtfs::followed, this, &TubeCoreExplaining::follow);
     connect(&m_parts.model, &DocumentModel::changed, this, &TubeCoreExplaining::tellWhatThePictureShows);
     m_parts.model.bind(&DocumentModel::methodChanged, this,
@@ -76,7 +79,6 @@ void TubeCoreExplaining::follow() {
         m_inPanel = made ? otf : nullptr;
         m_parts.panel.setRun(made ? otf->design.tubeCores : nullptr);
     }
-    m_parts.panel.setChosen(m_parts.choice.number());
     const auto wanted =
         m_seen && made && m_parts.choice.number() ? std::optional(Asked{otf, *m_parts.choice.number()}) : std::nullopt;
     if (wanted == m_asked) return;

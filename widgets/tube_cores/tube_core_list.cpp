@@ -2,20 +2,56 @@
 
 #include <QHeaderView>
 #include <QLocale>
+#include <QPainter>
 #include <QSortFilterProxyModel>
+#include <QStyledItemDelegate>
+#include <algorithm>
 #include <utility>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/tube_cores/tube_core_map.h"
 #include "widgets/tube_cores/tube_core_words.h"
 
 namespace echolucent {
+
+namespace {
+
+/// Paints a state as its sign: the column is too narrow for the words.
+class SignDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        constexpr double side = 13.0;
+        painter->save();
+        painter->setRenderHint(QPainter::Antialiasing);
+        paintTubeCoreSign(*painter,
+                          QRectF(QRectF(option.rect).center() - QPointF(side, side) / 2.0, QSizeF(side, side)),
+                          static_cast<TubeState>(index.data(Qt::UserRole).toInt()),
+                          index.data(TubeCoreListModel::shareRole).toDouble(), coloursOf(option.palette));
+        painter->restore();
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->text.clear();
+    }
+};
+
+}  // namespace
 
 void TubeCoreListModel::setRun(std::shared_ptr<const AdaptiveOtf> run) {
     beginResetModel();
     m_run = std::move(run);
     m_states.clear();
+    m_largest = 0.0;
     if (m_run)
-        for (std::size_t t = 0; t < m_run->tubes.size(); ++t) m_states.push_back(stateOf(*m_run, static_cast<int>(t)));
+        for (std::size_t t = 0; t < m_run->tubes.size(); ++t) {
+            m_states.push_back(stateOf(*m_run, static_cast<int>(t)));
+            m_largest = std::max(m_largest, m_run->tubes[t].d);
+        }
     endResetModel();
 }
 
@@ -26,11 +62,12 @@ int TubeCoreListModel::rowCount(const QModelIndex& parent) const {
 int TubeCoreListModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
 
 QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
-    if (role == Qt::TextAlignmentRole)
-        return static_cast<int>((index.column() == state ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-    if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
+    if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     const auto place = static_cast<std::size_t>(index.row());
     const TubeCore& tube = m_run->tubes.at(place);
+    if (role == Qt::ToolTipRole && index.column() == state) return wordsOf(m_states[place]);
+    if (role == shareRole) return m_largest > 0.0 ? tube.d / m_largest : 0.0;
+    if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
     const bool sorts = role == Qt::UserRole;
     // Without a value a tube core stands behind all others.
     const auto shown = [sorts](const std::optional<double>& value, char format, int digits) -> QVariant {
@@ -81,6 +118,7 @@ TubeCoreList::TubeCoreList(QWidget* parent)
     setShowGrid(false);
     setAlternatingRowColors(true);
     setWordWrap(false);
+    setItemDelegateForColumn(TubeCoreListModel::state, new SignDelegate(this));
     verticalHeader()->hide();
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     horizontalHeader()->setHighlightSections(false);

@@ -13,12 +13,14 @@ class QSortFilterProxyModel;
 
 namespace echolucent {
 
-/// Number, column, row, state, I_L, I_H and d of each tube core. Qt::UserRole gives the values to sort by.
+/// Number, column, row, state, I_L, I_H and d of each tube core. Qt::UserRole gives the values to sort by. The state
+/// has words, and shareRole its share of the largest weight.
 class TubeCoreListModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Column { number, column, row, state, low, high, weight, columns };
+    static constexpr int shareRole = Qt::UserRole + 1;
     using QAbstractTableModel::QAbstractTableModel;
 
     void setRun(std::shared_ptr<const AdaptiveOtf> run);
@@ -31,9 +33,11 @@ public:
 private:
     std::shared_ptr<const AdaptiveOtf> m_run;
     std::vector<TubeState> m_states;
+    double m_largest = 0.0;  ///< d
 };
 
 /// Object tubeCores.list. A click on a row, or the arrow keys, choose its tube core; a click on a heading sorts.
+/// The state is shown as its sign in the map; its words are the tool tip.
 class TubeCoreList : public QTableView {
     Q_OBJECT
 

@@ -115,8 +115,8 @@ void TubeCoreMap::keyPressEvent(QKeyEvent* event) {
     if (column >= 0 && column < columns && row >= 0 && row < rows) emit chosen(row * columns + column);
 }
 
-void TubeCoreMap::paintCell(QPainter& painter, const QRectF& cell, TubeState state, double share) const {
-    const ThemeColours& colours = coloursOf(palette());
+void paintTubeCoreSign(QPainter& painter, const QRectF& cell, TubeState state, double share,
+                       const ThemeColours& colours) {
     const QRectF inner = cell.adjusted(0.5, 0.5, -0.5, -0.5);
     painter.setPen(Qt::NoPen);
     painter.setBrush(colours.plot);
@@ -158,8 +158,8 @@ void TubeCoreMap::paintEvent(QPaintEvent*) {
     painter.fillRect(all.adjusted(-1, -1, 1, 1), colours.lineOfTable);
     painter.fillRect(all, colours.panel);
     for (std::size_t t = 0; t < m_states.size(); ++t)
-        paintCell(painter, cellOf(static_cast<int>(t)), m_states[t],
-                  m_largest > 0.0 ? m_run->tubes[t].d / m_largest : 0.0);
+        paintTubeCoreSign(painter, cellOf(static_cast<int>(t)), m_states[t],
+                          m_largest > 0.0 ? m_run->tubes[t].d / m_largest : 0.0, colours);
     if (m_chosen && static_cast<std::size_t>(*m_chosen) < m_states.size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colours.panel, 4.0));
@@ -196,7 +196,7 @@ void TubeCoreMap::paintLegend(QPainter& painter) const {
         painter.setPen(QPen(colours.lineOfTable, 1.0));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(cell);
-        paintCell(painter, cell, samples[i].first, samples[i].second);
+        paintTubeCoreSign(painter, cell, samples[i].first, samples[i].second, colours);
         painter.setPen(colours.textBehind);
         painter.drawText(QRectF(cell.right() + 5.0, cell.center().y() - height / 2.0, legendWidth, height),
                          Qt::AlignLeft | Qt::AlignVCenter, words[static_cast<qsizetype>(i)]);

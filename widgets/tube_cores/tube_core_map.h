@@ -7,8 +7,15 @@
 #include <vector>
 
 #include "processing/explanation/tube_explanation.h"
+#include "widgets/theme_colours.h"
 
 namespace echolucent {
+
+/// The sign of a tube core: a square if it weighs, the larger and the more of the accent the larger its share of the
+/// largest weight; a small ring if it weighs nothing, hatching without a surface, nothing outside, and a cross if it is
+/// never placed.
+void paintTubeCoreSign(QPainter& painter, const QRectF& cell, TubeState state, double share,
+                       const ThemeColours& colours);
 
 /// Object tubeCores.map. Columns go to the right and rows down, as the tube cores stand in the view. A cell that weighs
 /// has a square, the larger and the more of the accent the heavier; one that weighs nothing has a small ring, one
@@ -43,7 +50,6 @@ protected:
 private:
     static constexpr int mapHeight = 206;
     [[nodiscard]] QRectF grid() const;
-    void paintCell(QPainter& painter, const QRectF& cell, TubeState state, double share) const;
     void paintLegend(QPainter& painter) const;
 
     std::shared_ptr<const AdaptiveOtf> m_run;
