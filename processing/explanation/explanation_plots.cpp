@@ -252,7 +252,7 @@ Plot curvesPlot(const TubeExplanation& explanation) {
 
 Plot curveChangePlot(const TubeExplanation& explanation) {
     Plot plot;
-    plot.title = "How the curve changes without tube core " + std::to_string(explanation.number);
+    plot.title = "Change without tube core " + std::to_string(explanation.number);
     plot.xLabel = "intensity";
     plot.yLabel = "change of opacity per unit";
     plot.rangeX = PlotRange{0.0, 1.0};

@@ -81,7 +81,7 @@ QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
         case state: return sorts ? QVariant(static_cast<int>(m_states[place])) : QVariant(wordsOf(m_states[place]));
         case low: return shown(tube.lowIntensity, 'f', 3);
         case high: return shown(tube.highIntensity, 'f', 3);
-        case weight: return shown(tube.d > 0.0 ? std::optional(tube.d) : std::nullopt, 'g', 3);
+        case weight: return shown(tube.d > 0.0 ? std::optional(tube.d) : std::nullopt, 'f', 4);
         default: return {};
     }
 }
@@ -126,13 +126,13 @@ TubeCoreList::TubeCoreList(QWidget* parent)
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(TubeCoreListModel::state, QHeaderView::Stretch);
     const QFontMetrics metrics = fontMetrics();
-    const auto wide = [&](const QString& widest) { return metrics.horizontalAdvance(widest) + 14; };
-    horizontalHeader()->resizeSection(TubeCoreListModel::number, wide("0000"));
+    const auto wide = [&](const QString& widest) { return metrics.horizontalAdvance(widest) + 11; };
+    horizontalHeader()->resizeSection(TubeCoreListModel::number, wide("000"));
     horizontalHeader()->resizeSection(TubeCoreListModel::column, wide("Col."));
     horizontalHeader()->resizeSection(TubeCoreListModel::row, wide("Row"));
     horizontalHeader()->resizeSection(TubeCoreListModel::low, wide("0.000"));
     horizontalHeader()->resizeSection(TubeCoreListModel::high, wide("0.000"));
-    horizontalHeader()->resizeSection(TubeCoreListModel::weight, wide("0.00000"));
+    horizontalHeader()->resizeSection(TubeCoreListModel::weight, wide("0.0000"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setMinimumWidth(240);
     setFixedHeight(190);

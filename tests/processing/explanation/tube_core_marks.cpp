@@ -30,7 +30,7 @@ const Run& obliqueRun() {
 }
 
 /// A grid of marks that look along +z, 10 mm apart, with cells of 4 mm, from z = 0 to 100.
-TubeCoreMarks gridOf(int columns, int rows) {
+TubeCoreMarks marksInGrid(int columns, int rows) {
     TubeCoreMarks marks{.axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .halfWidthMm = 2.0, .halfSpacingMm = 5.0};
     marks.columns = columns;
     marks.rows = rows;
@@ -75,7 +75,7 @@ TEST(TubeCoreMarks, SurfacesLieOnTheAxisWhereTheMethodFoundThem) {
 }
 
 TEST(TubeCoreMarks, ThinnedAreTheHeaviestOfEachSquareAndAllIfTheyFit) {
-    TubeCoreMarks marks = gridOf(15, 15);
+    TubeCoreMarks marks = marksInGrid(15, 15);
     marks.marks[16].share = 0.0;
     EXPECT_EQ(thinned(marks, 1000).size(), 224u);
     const std::vector<int> few = thinned(marks, 64);
@@ -93,7 +93,7 @@ TEST(TubeCoreMarks, ThinnedAreTheHeaviestOfEachSquareAndAllIfTheyFit) {
 }
 
 TEST(TubeCoreMarks, APlaneShowsTheTubeCoresWithinHalfASpacing) {
-    const TubeCoreMarks marks = gridOf(3, 3);
+    const TubeCoreMarks marks = marksInGrid(3, 3);
     const auto numbersIn = [&](const Vec3& point, const Vec3& normal) {
         std::set<int> numbers;
         for (const TubeCoreMark& mark : marks.marks)
