@@ -168,6 +168,8 @@ void LessonPlayer::leave() {
         m_parts.sessions.takeBack();
         m_parts.openStudy.comeBack(*before->study);
         m_parts.compare.setShown(before->compares);
+    } else if (before) {
+        m_parts.openStudy.openSimulatedScan();  // nothing was open, as at a start
     }
     if (before) m_parts.chooseFace(before->face);
 }

@@ -28,8 +28,9 @@ class Works;
 
 /// A lesson is entered and left as a session is. Entering opens the lesson's simulated scan in Teach; the person's
 /// study, document, steps and session are kept, and leaving brings them back, with the face and the room that were
-/// shown. If another study is opened in a lesson, the lesson ends there, and what was changed and not saved before it
-/// is left unsaved. What a step sets is one step of the history.
+/// shown; if no study was open, the simulated scan of the start. If another study is opened in a lesson, the lesson
+/// ends there, and what was changed and not saved before it is left unsaved. What a step sets is one step of the
+/// history.
 ///
 ///            enter()               the scan is made                leave(), or after the last step
 ///   [none] ----------> [entering] ------------------> [playing] ----------------------------------> [none]
