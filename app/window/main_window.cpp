@@ -16,6 +16,7 @@
 #include "app/explain/tube_core_explaining.h"
 #include "app/explain/tube_core_page.h"
 #include "app/explain/tube_cores_in_pictures.h"
+#include "app/lesson/lesson_player.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_early_light.h"
 #include "app/otf/editor_otfs.h"
@@ -317,6 +318,11 @@ void MainWindow::createActions() {
     m_faces = std::make_unique<WindowFaces>(
         WindowFaces::Parts{*this, m_settings, *m_widgets.status, *m_widgets.controls, *m_widgets.motion});
     createToolBar({*this, m_document, m_openStudy, *m_faces, dockOf(*m_widgets.editor)});
+    m_lessons = std::make_unique<LessonPlayer>(
+        LessonPlayer::Parts{*this, m_document, m_openStudy, m_works, *m_otfs, m_motionPlayer, *m_compare,
+                            *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_widgets.messages,
+                            [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
+    connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
 }
 
 void MainWindow::countLeftUnsaved() {
@@ -382,6 +388,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+    m_lessons->leave();  // the person's own session is asked for and remembered
     if (!m_sessions->mayClose() || !m_files->mayLoseManualCurve()) {
         event->ignore();
         return;

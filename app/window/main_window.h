@@ -31,6 +31,7 @@ class EditorEarlyLight;
 class EditorOtfs;
 class FullScreen;
 class HistoryControls;
+class LessonPlayer;
 class LoadingPicture;
 class MovieFiles;
 class NearCutFinder;
@@ -100,6 +101,7 @@ public:
 
     /// Review and Teach.
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
+    [[nodiscard]] LessonPlayer& lessonPlayer() { return *m_lessons; }
 
     /// What Escape ends. A part that begins something that Escape ends adds itself.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
@@ -196,6 +198,7 @@ private:
     std::unique_ptr<TubeCoreExplaining> m_tubeCoreExplaining;
     std::unique_ptr<TubeCorePage> m_tubeCorePage;
     std::unique_ptr<WindowFaces> m_faces;
+    std::unique_ptr<LessonPlayer> m_lessons;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown
     bool m_shown = false;

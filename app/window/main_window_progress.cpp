@@ -2,6 +2,7 @@
 #include <QDockWidget>
 
 #include "app/compare/compare_room.h"
+#include "app/lesson/lesson_player.h"
 #include "app/window/full_screen.h"
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
@@ -84,7 +85,7 @@ void MainWindow::arrangeForComparison(bool shown) {
 
 void MainWindow::followStrip() {
     m_widgets.sides->setVisible(findChild<QAction*>("view.sides")->isChecked() && !m_compare->shown() &&
-                                !m_fullScreen->active());
+                                !m_fullScreen->active() && !(m_lessons && m_lessons->playing()));
 }
 
 void MainWindow::followWorks() {

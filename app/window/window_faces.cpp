@@ -20,7 +20,7 @@ namespace {
 constexpr std::array reviewDocks{"dock.view", "dock.room", "dock.study"};
 /// Of these only the entry in the menu of panels belongs to Teach, and a key or a button opens them in Review too.
 constexpr std::array teachDocks{"dock.method",    "dock.tubeCores", "dock.designers", "dock.compare",
-                                "dock.motionMap", "dock.explain",   "dock.theory"};
+                                "dock.motionMap", "dock.explain",   "dock.theory",    "dock.lessons"};
 
 QList<QDockWidget*> docksOf(const QMainWindow& window) {
     return window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly);

@@ -19,6 +19,7 @@
 #include "widgets/controls/opening_label.h"
 #include "widgets/controls/run_status.h"
 #include "widgets/controls/side_strip.h"
+#include "widgets/lesson/lessons_panel.h"
 #include "widgets/motion/otf_course_panel.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
@@ -180,6 +181,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.theory = new TheoryPanel(&window);
     layout.tubeCores = new TubeCorePanel(&window);
     layout.history = new HistoryPanel(document.steps(), &window);
+    layout.lessons = new LessonsPanel(&window);
     const std::vector<Dock> docks{
         // What a person turns first stands on top.
         {.title = "Picture",
@@ -215,6 +217,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
         {"Motion", "dock.motionMap", "The OTF over the angle or the volume", {layout.course}},
         {"Explain", "dock.explain", "What the picture shows, and why (F1)", {layout.explain}},
         {"Theory", "dock.theory", "The contrast of two intensities under five curves", {layout.theory}},
+        {"Lessons", "dock.lessons", "Lessons on simulated scans, step by step", {layout.lessons}},
     };
     layout.docks = addDocks(window, docks);
 

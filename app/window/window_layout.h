@@ -19,6 +19,7 @@ class DocumentModel;
 class ExplainPanel;
 class MeasurementsPanel;
 class HistoryPanel;
+class LessonsPanel;
 class MessageBar;
 class MethodPanel;
 class MotionPanel;
@@ -65,6 +66,7 @@ struct WindowLayout {
     TheoryPanel* theory = nullptr;
     HistoryPanel* history = nullptr;
     TubeCorePanel* tubeCores = nullptr;
+    LessonsPanel* lessons = nullptr;
     RunStatus* status = nullptr;
     QList<QDockWidget*> docks{};  ///< in the order in which people are shown their names
 };

@@ -95,7 +95,7 @@ private slots:
                 QStringList names;
                 for (const QAbstractButton* tab : namesInFront()) names << tab->text();
                 const QStringList all{"Picture", "Curve", "Measure", "Method",  "Tube cores", "Designers",
-                                      "Compare", "Study", "Motion",  "Explain", "Theory"};
+                                      "Compare", "Study", "Motion",  "Explain", "Theory",     "Lessons"};
                 QCOMPARE(names, face == QByteArray("face.teach") ? all : QStringList({"Picture", "Measure", "Study"}));
                 toolBarIsWhole();
                 QVERIFY2(rowsOfMotionBar() <= 2, qPrintable(QString("%1 rows").arg(rowsOfMotionBar())));
@@ -139,7 +139,7 @@ private slots:
         }
         click("dock.view.close");
         QVERIFY(child<QDockWidget>("dock.view")->isHidden());
-        QTRY_COMPARE(namesInFront().size(), 10);
+        QTRY_COMPARE(namesInFront().size(), 11);
     }
 
     void everyPanelScrollsInsideItselfAndShowsAllOfItsWidth_data() { whetherSpacingIsKnown(); }

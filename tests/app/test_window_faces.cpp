@@ -57,7 +57,7 @@ private slots:
         QCOMPARE(window().faces().face(), Face::teach);
         QVERIFY(!child<QToolButton>("face.review")->isChecked() && child<QAction>("view.teach")->isChecked());
         const QStringList all{"Picture", "Curve", "Measure", "Method",  "Tube cores", "Designers",
-                              "Compare", "Study", "Motion",  "Explain", "Theory"};
+                              "Compare", "Study", "Motion",  "Explain", "Theory",     "Lessons"};
         QCOMPARE(openPanels(), all);
         QCOMPARE(entriesOf("menu.panels"), all);
         QVERIFY(menuBarShows("menu.otf"));
@@ -261,7 +261,7 @@ private:
         QStringList names;
         for (const char* name :
              {"dock.view", "dock.otfEditor", "dock.room", "dock.method", "dock.tubeCores", "dock.designers",
-              "dock.compare", "dock.study", "dock.motionMap", "dock.explain", "dock.theory"})
+              "dock.compare", "dock.study", "dock.motionMap", "dock.explain", "dock.theory", "dock.lessons"})
             if (auto* dock = child<QDockWidget>(name); !dock->isHidden()) names << dock->windowTitle();
         return names;
     }

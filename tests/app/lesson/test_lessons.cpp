@@ -1,0 +1,252 @@
+// Lessons in the window: entered and left like a session, played step by step, and the way back.
+#include <QBuffer>
+#include <QDockWidget>
+#include <QLabel>
+#include <QRadioButton>
+
+#include "app/compare/compare_room.h"
+#include "app/lesson/lesson_player.h"
+#include "app/lesson/shipped_lessons.h"
+#include "app/sessions/session_keeping.h"
+#include "app/window/window_faces.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/lesson/lesson_text_view.h"
+
+using namespace echolucent;
+
+namespace {
+
+Lesson smallLesson() {
+    Lesson lesson;
+    lesson.minutes = 3;
+    lesson.begins = lessonGround({PhantomScene::fetus, {48, 48, 40}, 7});
+    lesson.begins.scene.look = Look{};
+    lesson.begins.panes[0].curve = CurveKind::linear;
+    Document two = lesson.begins;
+    two.panes = {{.curve = CurveKind::linear}, {.curve = CurveKind::quartic}};
+    Document solved = lesson.begins;
+    solved.panes[0].curve = CurveKind::parabolic;
+    LessonStep see{.id = "see", .lookAt = "view3d", .answers = 2, .right = 1};
+    LessonStep choose{.id = "choose", .lookAt = "otfEditor.active.parabolic", .solved = solved};
+    choose.until = LessonCondition{ConditionKind::equal, "panes[0].curve", std::string("parabolic")};
+    LessonStep compare{.id = "compare", .set = two};
+    compare.until = LessonCondition{ConditionKind::greater, "measured.panes[1].never", 1.0};
+    lesson.steps = {see, choose, compare};
+    LessonText text{"en", "Two curves", "What a curve does.", {}};
+    text.steps = {{"See", "Look.", "", "Why?", {"No", "Yes"}, "So."},
+                  {"Choose", "Take **x²**.", "The button."},
+                  {"Compare", "Wait."}};
+    lesson.texts = {text};
+    return lesson;
+}
+
+}  // namespace
+
+class TestLessons : public QObject, private WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        lookAtNoPicture();
+        lookAlongAssumedBeam();
+        m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
+    }
+    void init() {
+        show();
+        useLook(Look{});
+    }
+    void cleanup() { close(); }
+
+    void aLessonIsLeftWithTheWorkAndTheHistoryThatItFound() {
+        open(m_file);
+        DocumentModel& model = window().document();
+        for (const double brightness : {1.2, 1.4, 1.6})
+            model.change("brightness", [&](Document& next) { next.scene.look.brightness = brightness; });
+        model.steps().undo();
+        QVERIFY(window().sessionKeeping().snapshots().keep("mine", document()).isEmpty());
+        waitUntilIdle();
+        const Document before = document();
+        const Study* study = window().openStudy().study();
+        const int count = model.steps().count(), index = model.steps().index();
+        QCOMPARE(index, count - 1);
+
+        enter(smallLesson());
+        QCOMPARE(window().faces().face(), Face::teach);
+        QVERIFY(document().study == smallLesson().begins.study);
+        QVERIFY(document().panes[0].curve == CurveKind::linear);
+        QVERIFY(window().sessionKeeping().snapshots().list().empty());
+        QVERIFY(!window().isWindowModified());
+        model.change("box", [](Document& next) { next.scene.box.on = true; });
+        waitUntilIdle();
+
+        player().leave();
+        QVERIFY(!player().playing());
+        QVERIFY(document() == before);
+        QCOMPARE(window().openStudy().study(), study);
+        QCOMPARE(window().faces().face(), Face::review);
+        QCOMPARE(model.steps().count(), count);
+        QCOMPARE(model.steps().index(), index);
+        QCOMPARE(window().sessionKeeping().snapshots().list().size(), std::size_t{1});
+        QTRY_VERIFY(window().isWindowModified());  // the snapshot is not saved
+        model.steps().redo();
+        QCOMPARE(document().scene.look.brightness, 1.6);
+        model.steps().setIndex(0);
+        QCOMPARE(document().scene.look.brightness, Look{}.brightness);
+        waitUntilIdle();
+    }
+
+    void stepsArePlayedForthAndBack() {
+        open(m_file);
+        enter(smallLesson());
+        DocumentModel& model = window().document();
+        QCOMPARE(child<QLabel>("lessons.progress")->text(), "Step 1 of 3");
+        QVERIFY(!child("lessons.back")->isEnabled());
+        QVERIFY(child("lessons.skip")->isHidden());  // there is nothing to do
+        QVERIFY(child("lessons.explanation")->isHidden());
+        child<QRadioButton>("lessons.answer.0")->click();
+        QCOMPARE(child<QLabel>("lessons.verdict")->text(), "No. Look once more.");
+        QVERIFY(child("lessons.explanation")->isHidden());
+        child<QRadioButton>("lessons.answer.1")->click();
+        QCOMPARE(child<QLabel>("lessons.verdict")->text(), "Right.");
+        QVERIFY(!child<QRadioButton>("lessons.answer.0")->isChecked());
+        QVERIFY(!child("lessons.explanation")->isHidden());
+
+        const int steps = model.steps().count();
+        click("lessons.next");
+        QCOMPARE(player().step(), std::size_t{1});
+        QCOMPARE(model.steps().count(), steps);  // the step sets nothing
+        QVERIFY(!player().isDone());
+        QCOMPARE(child<QLabel>("lessons.done")->text(), "To do.");
+        QVERIFY(child("lessons.hintText")->isHidden());
+        click("lessons.hint");
+        QVERIFY(!child("lessons.hintText")->isHidden());
+        child<QAbstractButton>("otfEditor.active.parabolic")->click();
+        QVERIFY(document().panes[0].curve == CurveKind::parabolic);
+        QVERIFY(player().isDone());
+        QCOMPARE(child<QLabel>("lessons.done")->text(), "✓ Done.");
+        model.change("curve", [](Document& next) { next.panes[0].curve = CurveKind::quartic; });
+        QVERIFY(player().isDone());  // what was done stays done
+        click("lessons.reset");
+        QVERIFY(document().panes[0].curve == CurveKind::linear);
+
+        const int before = model.steps().count();
+        click("lessons.skip");  // solves the step, and the next one sets two panes
+        QCOMPARE(player().step(), std::size_t{2});
+        QCOMPARE(model.steps().count(), before + 2);
+        QVERIFY(window().compareRoom().shown());
+        QCOMPARE(document().panes.size(), std::size_t{2});
+        QVERIFY(!player().isDone());
+        QTRY_VERIFY(player().isDone());  // once it is measured
+        QCOMPARE(child<QAbstractButton>("lessons.next")->text(), "Finish");
+        click("lessons.back");
+        QCOMPARE(player().step(), std::size_t{1});
+        QVERIFY(!window().compareRoom().shown());
+        QVERIFY(document().panes[0].curve == CurveKind::linear);  // as the step began
+        click("lessons.next");
+        click("lessons.next");
+        QVERIFY(!player().playing());
+        QVERIFY(std::holds_alternative<StudyFile>(document().study));
+        waitUntilIdle();
+    }
+
+    void whatToLookAtIsOutlinedBesideTheWords() {
+        open(m_file);
+        enter(smallLesson());
+        const auto outlined = [this] {
+            QRect around;
+            for (int side = 0; side < 4; ++side) {
+                const QWidget* strip = child(QStringLiteral("lessons.outline.%1").arg(side));
+                if (strip->isVisible()) around |= strip->geometry();
+            }
+            return around;
+        };
+        const auto placeOf = [this](const QString& name) {
+            const QWidget* widget = child(name);
+            return QRect(widget->mapTo(&window(), QPoint(0, 0)), widget->size());
+        };
+        QTRY_COMPARE(outlined(), placeOf("view3d"));
+        window().resize(1100, 720);
+        QTRY_COMPARE(outlined(), placeOf("view3d"));
+        click("lessons.next");
+        QTRY_COMPARE(outlined(), placeOf("otfEditor.active.parabolic"));
+        QVERIFY(!child("lessons.text")->visibleRegion().isEmpty());
+        QVERIFY(!child("otfEditor.active.parabolic")->visibleRegion().isEmpty());
+        child<QDockWidget>("dock.method")->raise();
+        QTRY_VERIFY(outlined().isEmpty());  // its panel is behind another one
+        click("lessons.next");
+        QTRY_VERIFY(outlined().isEmpty());
+        player().leave();
+        waitUntilIdle();
+    }
+
+    void anotherStudyEndsTheLessonAndLeavesTheWorkUnsaved() {
+        open(m_file);
+        window().document().change("box", [](Document& next) { next.scene.box.on = true; });
+        waitUntilIdle();
+        enter(smallLesson());
+        waitUntilIdle();
+        QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
+        open(m_file);
+        QVERIFY(!player().playing());
+        QCOMPARE(window().sessionKeeping().leftUnsaved().list().size(), std::size_t{1});
+        QVERIFY(child("lessons.list")->isVisibleTo(child("lessons")));
+        player().leave();  // there is nothing to leave
+        QVERIFY(std::holds_alternative<StudyFile>(document().study));
+    }
+
+    void aStudyThatIsAskedForMeanwhileWinsOverTheLesson() {
+        player().enter(smallLesson());
+        open(m_file);
+        QVERIFY(!player().playing());
+        QVERIFY(std::holds_alternative<StudyFile>(document().study));
+        QVERIFY(!window().sessionKeeping().isAside());
+        QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
+    }
+
+    void shippedLessonsLookAtControlsThatExist() {
+        QCOMPARE(player().lessons().size(), static_cast<std::size_t>(shippedLessons().size()));
+        QVERIFY(!player().lessons().empty());
+        for (const Lesson& lesson : player().lessons())
+            for (const LessonStep& step : lesson.steps)
+                QVERIFY2(step.lookAt.empty() || window().findChild<QWidget*>(QString::fromStdString(step.lookAt)),
+                         step.lookAt.c_str());
+    }
+
+    void aStrangersTextLoadsNothingBesideTheLessonsImages() {
+        QImage image(6, 4, QImage::Format_RGB32);
+        image.fill(Qt::red);
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QVERIFY(image.save(&buffer, "PNG"));
+        QVERIFY(image.save(temporaryFolder().filePath("other.png")));
+        LessonTextView view;
+        view.resize(300, 100);
+        view.setImages({{"wall.png", bytes}, {"broken.png", bytes.left(30)}});
+        const auto sizeOf = [&](const QString& name) {
+            return view.loadResource(QTextDocument::ImageResource, QUrl(name)).value<QImage>().size();
+        };
+        QCOMPARE(sizeOf("wall.png"), QSize(6, 4));
+        const QString other = temporaryFolder().filePath("other.png");
+        for (const QString& name : {QStringLiteral("broken.png"), other, "file://" + other, QString("none.png")})
+            QCOMPARE(sizeOf(name), QSize(1, 1));
+        QVERIFY(view.loadResource(QTextDocument::StyleSheetResource, QUrl("wall.png")).value<QImage>().width() == 1);
+        view.showMarkdown("<b>not bold</b> and <img src=\"" + other + "\">");
+        QVERIFY2(view.toPlainText().contains("<b>not bold</b>"), qPrintable(view.toPlainText()));
+        QVERIFY(!view.openLinks());
+    }
+
+private:
+    [[nodiscard]] const Document& document() { return window().document().document(); }
+    [[nodiscard]] LessonPlayer& player() { return window().lessonPlayer(); }
+    void enter(const Lesson& lesson) {
+        player().enter(lesson);
+        QTRY_VERIFY(player().playing());
+        waitUntilIdle();
+    }
+
+    QString m_file;
+};
+
+ECHOLUCENT_TEST_CLASS(TestLessons)
+#include "test_lessons.moc"
