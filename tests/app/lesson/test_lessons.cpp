@@ -52,6 +52,7 @@ private slots:
         m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
     }
     void init() {
+        if (QTest::currentTestFunction() == QByteArray("aStrangersTextLoadsNothingBesideTheLessonsImages")) return;
         show();
         useLook(Look{});
     }
@@ -150,7 +151,6 @@ private slots:
     }
 
     void whatToLookAtIsOutlinedBesideTheWords() {
-        open(m_file);
         enter(smallLesson());
         const auto outlined = [this] {
             QRect around;
@@ -175,8 +175,6 @@ private slots:
         QTRY_VERIFY(outlined().isEmpty());  // its panel is behind another one
         click("lessons.next");
         QTRY_VERIFY(outlined().isEmpty());
-        player().leave();
-        waitUntilIdle();
     }
 
     void anotherStudyEndsTheLessonAndLeavesTheWorkUnsaved() {
