@@ -67,8 +67,10 @@ void LessonFigures::setUpFigure(int number) {
     if (m_parts.openStudy.study() == nullptr) return;
     m_parts.player.pause();
     const PaperFigure& figure = paperFigure(number);
-    m_parts.model.editWithFrame(withFigure(m_parts.model.ownDocument(), number),
-                                tr("Figure %1 of the paper").arg(number));
+    const Document wanted = withFigure(m_parts.model.ownDocument(), number);
+    m_parts.model.editWithFrame(wanted, tr("Figure %1 of the paper").arg(number));
+    // If the motion stood at this angle about another axis, the other axis has begun it anew.
+    m_parts.model.showFrame(wanted.scene.motionAngle, wanted.scene.phase);
     emit setUp();
     if (number == 6) showCurvesOfFigure6();
     bringToFront(QLatin1String(figure.dock));

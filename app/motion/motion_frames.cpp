@@ -53,7 +53,14 @@ void MotionFrames::takeFromPanel(const MotionChoice& choice, const QString& what
 void MotionFrames::takeChoices() {
     const MotionChoice motion = m_parts.model.document().motion;
     m_parts.panel.setChoice(motion);
-    m_parts.player.setChoice(motion);
+    if (const double angle = m_parts.model.document().scene.motionAngle; angle != m_parts.player.angle()) {
+        // A step has set the frame too: another axis does not begin the motion anew.
+        const QSignalBlocker quiet(m_parts.player);
+        m_parts.player.setChoice(motion);
+        m_parts.player.setAngle(angle);
+    } else {
+        m_parts.player.setChoice(motion);
+    }
     m_parts.coursePanel.setMode(motion.otf);
 }
 

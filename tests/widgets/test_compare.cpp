@@ -223,6 +223,8 @@ private slots:
         QFETCH(int, panes);
         CompareGrid grid;
         grid.resize(size);
+        // A hidden grid places its panes anew only for another number of them.
+        grid.arrange(ComparisonLayout::sideBySide, static_cast<std::size_t>(panes % 3 + 2));
         grid.arrange(ComparisonLayout::sideBySide, static_cast<std::size_t>(panes));
         const QString name("2  (b) Manually designed piecewise linear OTF");
         grid.setNames({"1  (a) Linear OTF", name});
