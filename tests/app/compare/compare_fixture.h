@@ -24,8 +24,9 @@ protected:
     void begin(const std::vector<Pane>& panes = {}) {
         show();
         useLook(Look{});
-        if (!panes.empty()) window().document().begin(withPanes(document(), panes));
         open(m_file);
+        // Panes of its own would show the comparison, and open() waits for the 3D picture.
+        if (!panes.empty()) window().document().begin(withPanes(document(), panes));
         window().compareRoom().setShown(true);
         waitForFrame();
     }
