@@ -151,7 +151,10 @@ private slots:
             QVERIFY(document().scene.look == lookAtStart() && document().scene.pose == before.scene.pose);
             QVERIFY(document().curves.manual == odd.curves.manual && document().curves.linear == odd.curves.linear);
             if (figure.number == 6) QVERIFY(shows("dock.otfEditor"));
+            if (figure.number == 5) QVERIFY(shows("dock.tubeCores"));
             if (figure.number >= 10) QVERIFY(shows("dock.motionMap"));
+            if (figure.number == 10)
+                QCOMPARE(child<OtfCurvesCanvas>("motion.map.curves")->shownRows(), (std::vector<int>{0, 45, 90, 45}));
             QVERIFY(window().sessionKeeping().snapshots().keep(QString::fromUtf8(name), document()).isEmpty());
             window().document().steps().undo();
             QVERIFY2(jsonOf(document()) == text, name);
@@ -174,13 +177,9 @@ private slots:
         }
     }
 
-    void theOtfOverTheAngleIsThereAtOnce() {
+    /// Smoothed, the pane shows the mean of the five newest; the other shows its own view's.
+    void figure11HasThePastThatItSmooths() {
         window().compareRoom().setShown(false);
-        child<QAction>("compare.figure10")->trigger();
-        waitUntilRest();
-        const auto& curves = *child<OtfCurvesCanvas>("motion.map.curves");
-        QCOMPARE(curves.shownRows(), (std::vector<int>{0, 45, 90, 45}));
-        // Smoothed: the pane shows the mean of the five newest, the other its own view's.
         child<QAction>("compare.figure11")->trigger();
         waitUntilRest();
         const auto& panes = window().compareRoom().views().frame()->request.panes;
