@@ -91,12 +91,12 @@ private slots:
     void theAimMovesAnotherPaneOnlyWhileItIsSeen() {
         const auto* slider = child<QSlider>("view.aim");
         Document next = withPanes(m_begun, {{.curve = CurveKind::manual}, {.curve = CurveKind::adaptive}});
-        window().document().edit(next, "panes");
-        QVERIFY(!slider->isEnabled());
-        window().compareRoom().setShown(true);
+        window().document().edit(next, "panes");  // shows them
         QVERIFY(slider->isEnabled());
         window().compareRoom().setShown(false);
         QVERIFY(!slider->isEnabled());
+        window().compareRoom().setShown(true);
+        QVERIFY(slider->isEnabled());
         waitUntilIdle();
     }
 
