@@ -5,9 +5,11 @@
 #include <QLocale>
 #include <QMainWindow>
 #include <QScrollArea>
+#include <QTimer>
 #include <utility>
 
 #include "app/compare/compare_room.h"
+#include "app/explain/tube_core_choice.h"
 #include "app/lesson/shipped_lessons.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/pane_otfs.h"
@@ -24,6 +26,7 @@ namespace {
 
 constexpr const char* lessonTopic = "lesson";
 constexpr double percent = 100.0;
+constexpr std::string_view tubeCoreName = "measured.tube_core";
 
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
@@ -70,6 +73,7 @@ LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
         Qt::QueuedConnection);
     connect(&m_parts.model, &DocumentModel::changed, this, &LessonPlayer::look);
     connect(&m_parts.otfs, &PaneOtfs::computed, this, &LessonPlayer::look);
+    connect(&m_parts.tubeCore, &TubeCoreChoice::chosen, this, &LessonPlayer::look);
     // What is measured is there once a work has ended.
     connect(&m_parts.works, &Works::changed, this, &LessonPlayer::look, Qt::QueuedConnection);
 }
@@ -198,7 +202,11 @@ void LessonPlayer::back() {
 
 void LessonPlayer::skip() {
     if (!m_lesson) return;
-    if (const auto& solved = m_lesson->steps.at(m_step).solved) show(*solved);
+    const LessonStep& step = m_lesson->steps.at(m_step);
+    if (step.solved) show(*step.solved);
+    if (step.until && step.until->kind == ConditionKind::equal && step.until->name == tubeCoreName)
+        if (const auto* number = std::get_if<double>(&step.until->value))
+            m_parts.tubeCore.choose(static_cast<int>(*number));
     next();
 }
 
@@ -273,6 +281,10 @@ std::optional<DocumentValue> LessonPlayer::valueOf(std::string_view name) const 
         if (!m_parts.compare.shown() || pane >= rows.size()) return std::nullopt;
         return measuredOf(rows[pane], name.substr(name.rfind('.') + 1));
     }
+    if (name == tubeCoreName) {
+        const auto number = m_parts.tubeCore.number();
+        return number ? std::optional(DocumentValue(static_cast<double>(*number))) : std::nullopt;
+    }
     const auto otf = m_parts.otfs.adaptive();
     if (!otf || !m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return std::nullopt;
     return DocumentValue(
@@ -309,9 +321,13 @@ void LessonPlayer::lookAt(const QString& name) {
         dock->show();
         dock->raise();
     }
-    for (QWidget* around = target; around != nullptr; around = around->parentWidget())
-        if (auto* scroll = qobject_cast<QScrollArea*>(around)) scroll->ensureWidgetVisible(target);
     m_outline.lieAround(target);
+    if (target == nullptr) return;
+    // What the step sets may make rows and plots above the target, which get their places with the next events.
+    QTimer::singleShot(0, target, [target] {
+        for (QWidget* around = target; around != nullptr; around = around->parentWidget())
+            if (auto* scroll = qobject_cast<QScrollArea*>(around)) scroll->ensureWidgetVisible(target);
+    });
 }
 
 }  // namespace echolucent

@@ -24,6 +24,7 @@ class MessageBar;
 class MotionPlayer;
 class PaneOtfs;
 class SessionKeeping;
+class TubeCoreChoice;
 class Works;
 
 /// A lesson is entered and left as a session is. Entering opens the lesson's simulated scan in Teach; the person's
@@ -44,6 +45,7 @@ public:
         OpenStudy& openStudy;
         Works& works;
         PaneOtfs& otfs;
+        TubeCoreChoice& tubeCore;
         MotionPlayer& player;
         CompareRoom& compare;
         const ComparePanel& measured;
@@ -75,7 +77,7 @@ public:
 
     void next();
     void back();
-    /// Solves the step by its document and goes on.
+    /// Solves the step by its document, or by the choice of the tube core that it asks for, and goes on.
     void skip();
     /// Sets the document as it was when the step began.
     void reset();

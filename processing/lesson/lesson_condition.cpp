@@ -79,6 +79,7 @@ const std::vector<LessonMeasure>& lessonMeasures() {
     static const std::vector<LessonMeasure> measures{
         {"measured.tubes", "tube cores that meet the volume, once the adaptive OTF is computed"},
         {"measured.tubes_with_weight", "those of them that found a surface with a weight"},
+        {"measured.tube_core", "the number of the tube core that a person has chosen"},
         {"measured.panes[N].right", "rays that pane N shows right, in percent, once the comparison is measured"},
         {"measured.panes[N].early", "rays that it shows too early, in percent"},
         {"measured.panes[N].late", "rays that it shows too late, in percent"},

@@ -5,6 +5,7 @@
 #include <QRadioButton>
 
 #include "app/compare/compare_room.h"
+#include "app/explain/tube_core_choice.h"
 #include "app/lesson/lesson_player.h"
 #include "app/lesson/shipped_lessons.h"
 #include "app/sessions/session_keeping.h"
@@ -150,6 +151,24 @@ private slots:
         waitUntilIdle();
     }
 
+    void whatWasMeasuredOfOtherPanesDoesNotCount() {
+        Lesson lesson = smallLesson();
+        LessonStep three{.id = "three", .set = lesson.steps[2].set};
+        three.set->panes = {
+            {.curve = CurveKind::linear}, {.curve = CurveKind::linear}, {.curve = CurveKind::parabolic}};
+        three.until = lesson.steps[2].until;
+        lesson.steps = {lesson.steps[2], three};
+        lesson.texts[0].steps = {{"Two", "Wait."}, {"Three", "Wait."}};
+        enter(lesson);
+        QVERIFY(window().compareRoom().shown());
+        QTRY_VERIFY(player().isDone());
+        click("lessons.next");
+        QVERIFY(!player().isDone());
+        waitUntilIdle();
+        QVERIFY(player().valueOf("measured.panes[1].never") == DocumentValue(0.0));
+        QVERIFY(!player().isDone());
+    }
+
     void whatToLookAtIsOutlinedBesideTheWords() {
         enter(smallLesson());
         const auto outlined = [this] {
@@ -199,6 +218,30 @@ private slots:
         QVERIFY(std::holds_alternative<StudyFile>(document().study));
         QVERIFY(!window().sessionKeeping().isAside());
         QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
+    }
+
+    void aStepIsDoneByTheTubeCoreThatItAsksFor() {
+        Lesson lesson = smallLesson();
+        lesson.begins.panes[0].curve = CurveKind::adaptive;
+        lesson.steps[0].until = LessonCondition{ConditionKind::equal, "measured.tube_core", 20.0};
+        TubeCoreChoice& choice = window().tubeCoreChoice();
+        enter(lesson);
+        QVERIFY(!player().isDone());
+        QVERIFY(!player().valueOf("measured.tube_core"));
+        choice.choose(21);
+        QVERIFY(player().valueOf("measured.tube_core") == DocumentValue(21.0));
+        QVERIFY(!player().isDone());
+        choice.choose(20);
+        QVERIFY(player().isDone());
+        choice.choose(std::nullopt);
+        QVERIFY(player().isDone());  // what was done stays done
+
+        click("lessons.next");
+        click("lessons.back");
+        click("lessons.skip");
+        QCOMPARE(choice.number(), std::optional(20));
+        QCOMPARE(player().step(), std::size_t{1});
+        waitUntilIdle();
     }
 
     void shippedLessonsLookAtControlsThatExist() {

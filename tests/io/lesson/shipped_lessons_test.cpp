@@ -74,6 +74,11 @@ bool isReached(const LessonCondition& until, const Document& document, const std
     return holds(until, [&](std::string_view name) { return window.valueOf(name); });
 }
 
+/// Whether a person does the step by choosing a tube core, which is no part of a document. Skipping chooses it.
+bool isChoiceOfTubeCore(const LessonCondition& until) {
+    return until.kind == ConditionKind::equal && until.name == "measured.tube_core";
+}
+
 TEST(ShippedLessons, EachKeepsItsRules) {
     const std::vector<std::string> folders = lessonFolders();
     ASSERT_FALSE(folders.empty());
@@ -89,7 +94,8 @@ TEST(ShippedLessons, EachKeepsItsRules) {
             const LessonStep& step = lesson->steps[i];
             questions += step.answers > 0 ? 1 : 0;
             tasks += step.until ? 1 : 0;
-            EXPECT_EQ(step.until.has_value(), step.solved.has_value()) << step.id << ": a task has a solution";
+            EXPECT_EQ(step.until && !isChoiceOfTubeCore(*step.until), step.solved.has_value())
+                << step.id << ": a task has a solution";
             EXPECT_TRUE(!step.until || !text.steps[i].hint.empty()) << step.id << ": a task has a hint";
             EXPECT_TRUE(step.answers == 0 || !text.steps[i].explanation.empty()) << step.id;
         }
@@ -110,7 +116,7 @@ void playSteps(bool measured) {
         ASSERT_TRUE(lesson) << lesson.error().sentence();
         for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
             const LessonStep& step = lesson->steps[i];
-            if (!step.until || isMeasured(*step.until) != measured) continue;
+            if (!step.until || isChoiceOfTubeCore(*step.until) || isMeasured(*step.until) != measured) continue;
             ++played;
             const auto scan = measured ? scanOf(*lesson) : nullptr;
             EXPECT_FALSE(isReached(*step.until, documentBefore(*lesson, i), scan)) << folder << " " << step.id;
