@@ -38,8 +38,8 @@ bool paintCompared(QPainter& painter, const PanesInPicture& panes, const Progres
     for (const ComparedInPicture& compared : panes.compared) {
         const QRect place = pictureIn(compared.place, caption);
         if (place.isEmpty()) continue;
-        const auto picture =
-            caster.picture(panes.document, compared.pane, place.width(), place.height(), {{}, progress.cancel});
+        const auto picture = caster.pictureOf(compared.classification, panes.document, compared.pane, place.width(),
+                                              place.height(), {{}, progress.cancel});
         if (!picture) return false;
         painter.drawImage(place, imageOf(picture->picture));
         paintFace(painter, compared.place, compared.face, caption);

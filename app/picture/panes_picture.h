@@ -30,6 +30,7 @@ struct ComparedInPicture {
     QRect place;           ///< in pixels of the picture
     std::size_t pane = 0;  ///< of the document
     PaneFace face;
+    Classification classification{};  ///< that the pane shows: in a motion it may be smoothed
 };
 
 /// All that a picture of panes is made from, as values.
@@ -50,9 +51,9 @@ struct PanesInPicture {
 
 /// The picture, over black. The 3D view is PaneCaster::picture() of the first pane in its size, with the measurements
 /// of its phase and the labels of the screen. Planes are sampled in their size. A compared pane is
-/// PaneCaster::picture() of its pane, with its face, which says nothing of colours: these are the screen's. The result
-/// is empty only if progress.cancel was raised. Any thread may call this. Throws std::bad_alloc if there is no memory
-/// for the picture.
+/// PaneCaster::pictureOf() of its pane, with its face, which says nothing of colours: these are the screen's. The
+/// result is empty only if progress.cancel was raised. Any thread may call this. Throws std::bad_alloc if there is no
+/// memory for the picture.
 [[nodiscard]] std::optional<QImage> panesPicture(const PanesInPicture& panes, const Progress& progress = {});
 
 }  // namespace echolucent

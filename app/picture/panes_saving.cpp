@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/files/save_dialog.h"
+#include "app/otf/shown_panes.h"
 #include "app/settings/settings.h"
 #include "app/study/study_names.h"
 #include "io/output/atomic_file.h"
@@ -63,13 +64,14 @@ void PanesSaving::choose() {
     for (const PlanePane* plane : m_parts.planes) planesAreShown = planesAreShown || plane->isVisible();
     const QWidget& panes = compares ? static_cast<const QWidget&>(m_parts.compared) : m_parts.panes;
     const double ratio = panes.devicePixelRatioF();
-    PictureDialog dialog({.of3d = m_parts.picture.isVisible() ? m_parts.picture.size() * ratio : QSize(),
-                          .ofPanes = panes.size() * ratio,
-                          .planesAreShown = planesAreShown,
-                          .note = isSmoothed ? tr("The 3D picture gets the curve of its own volume and view. A motion "
-                                                  "also smooths curves over time; this picture does not.")
-                                             : QString()},
-                         &m_parts.window);
+    PictureDialog dialog(
+        {.of3d = m_parts.picture.isVisible() ? m_parts.picture.size() * ratio : QSize(),
+         .ofPanes = panes.size() * ratio,
+         .planesAreShown = planesAreShown,
+         .note = isSmoothed && !compares ? tr("The 3D picture gets the curve of its own volume and view. A motion "
+                                              "also smooths curves over time; this picture does not.")
+                                         : QString()},
+        &m_parts.window);
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, &dialog, &QDialog::reject);
     if (dialog.exec() != QDialog::Accepted) return;
     const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
@@ -103,9 +105,13 @@ PanesInPicture PanesSaving::taken(const PictureChoice& choice) const {
         const std::vector<std::size_t> shown = m_parts.compared.shownPanes();
         const std::vector<QRect> places = placesOfPanes(std::max<std::size_t>(1, shown.size()), panes.size);
         for (std::size_t i = 0; i < shown.size(); ++i)
-            panes.compared.push_back({places[i], shown[i], faces.at(shown[i])});
+            panes.compared.push_back(
+                {places[i], shown[i], faces.at(shown[i]), m_parts.otfs.at(shown[i]).classification});
         // The colours of shown depths belong to the pictures of the screen.
-        for (ComparedInPicture& each : panes.compared) each.face.legend.clear();
+        for (ComparedInPicture& each : panes.compared) {
+            each.face.legend.clear();
+            each.face.coloured = false;
+        }
         return panes;
     }
     if (!choice.allPanes) {

@@ -22,13 +22,15 @@ class MessageBar;
 class PaneGrid;
 class PlanePane;
 class Settings;
+class ShownPanes;
 class StudyNames;
 class VolumeViewWidget;
 
 /// Takes the state of the panes when it is asked, and makes and writes the picture in a thread. While the comparison is
 /// shown, its panes are the panes. The file names no
 /// patient; the window's own controls are not in it. The 3D picture is made with the OTF of its own volume and view: a
-/// smoothing over time, as a motion shows it, is not in it.
+/// smoothing over time, as a motion shows it, is not in it. Compared panes keep the OTFs that they show, smoothed or
+/// not.
 class PanesSaving : public QObject {
     Q_OBJECT
 
@@ -42,6 +44,7 @@ public:
         std::array<PlanePane*, 3> planes;
         const VolumeViewWidget& picture;
         const CompareGrid& compared;
+        const ShownPanes& otfs;  ///< what the compared panes show
         Settings& settings;
         MessageBar& messages;
         StudyNames& names;

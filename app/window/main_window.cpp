@@ -178,7 +178,7 @@ void MainWindow::createUnits() {
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return explanation(); }});
     m_panesSaving = std::make_unique<PanesSaving>(PanesSaving::Parts{
         *this, m_document, m_openStudy, m_works, *m_widgets.panes, m_widgets.planes, *m_widgets.picture,
-        *m_widgets.compared, m_settings, *m_widgets.messages, m_names, *m_sides, *m_view,
+        *m_widgets.compared, *m_panes, m_settings, *m_widgets.messages, m_names, *m_sides, *m_view,
         [this](const QString& what) { return m_files->proposedName(what); }, [this] { return rememberedSide(); }});
     m_sessions = std::make_unique<SessionKeeping>(SessionKeeping::Parts{*this, m_document, m_openStudy, m_works,
                                                                         *m_shownStudy, m_settings, *m_widgets.editor,

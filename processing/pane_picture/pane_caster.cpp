@@ -159,18 +159,25 @@ std::optional<PanePicture> PaneCaster::picture(const Document& document, std::si
 std::optional<PanePicture> PaneCaster::pictureWith(const PaneOtf& otf, const Document& document, std::size_t pane,
                                                    int width, int height, const Progress& progress,
                                                    PictureQuality quality) {
+    auto made = pictureOf(classificationOf(document, pane, otf), document, pane, width, height, progress, quality);
+    if (made) made->message = otf.message;
+    return made;
+}
+
+std::optional<PanePicture> PaneCaster::pictureOf(const Classification& classification, const Document& document,
+                                                 std::size_t pane, int width, int height, const Progress& progress,
+                                                 PictureQuality quality) {
     const Voxels* of = voxels(askedVoxels(document, phaseOf(document, pane)), Progress{{}, progress.cancel});
     if (!of) return std::nullopt;
     const RayCastSettings asked = castSettingsOf(document, of->shown->geometry(), of->shown->dataBox(), width, height);
     const bool isConverged = quality == PictureQuality::converged;
     const RayCastSettings settings = isConverged ? converged(asked) : asked;
-    const Classification classification = classificationOf(document, pane, otf);
     // A picture that RayCaster makes from kept samples is exact to half a level only.
     RayCaster& rays = raysThrough(of->shown, isConverged && m_cast.camera == settings.camera);
     m_cast = settings;
     auto picture = rays.cast(classification, settings, progress);
     if (!picture) return std::nullopt;
-    return PanePicture{std::move(*picture), settings, classification, of->shown, otf.message};
+    return PanePicture{std::move(*picture), settings, classification, of->shown, {}};
 }
 
 }  // namespace echolucent

@@ -117,6 +117,12 @@ public:
                                                          int width, int height, const Progress& progress = {},
                                                          PictureQuality quality = PictureQuality::converged);
 
+    /// Like picture(), but with a classification that was made before, as classificationOf() gives it.
+    [[nodiscard]] std::optional<PanePicture> pictureOf(const Classification& classification, const Document& document,
+                                                       std::size_t pane, int width, int height,
+                                                       const Progress& progress = {},
+                                                       PictureQuality quality = PictureQuality::converged);
+
 private:
     /// All that the voxels of a phase are made from.
     struct AskedVoxels {
