@@ -124,6 +124,7 @@ void PictureControls::resetAll(const Document& opened) {
         next.scene.side = opened.scene.side;
         next.scene.motionAngle = 0.0;
         next = withCurve(std::move(next), firstPane, opened.panes.at(firstPane).curve);
+        next.panes.front().linear.reset();
         next.scene.front = opened.scene.front;
         next.scene.look = opened.scene.look;
         next.scene.exposure = opened.scene.exposure;

@@ -87,7 +87,7 @@ Document withDesigner(Document document, std::size_t pane, const DesignerConfig&
 
 Document withCurve(Document document, std::size_t pane, CurveKind curve) {
     Pane& shown = document.panes.at(pane);
-    if (shown.curve != curve) shown.linear.reset();
+    if (curve != CurveKind::linear) shown.linear.reset();
     shown.curve = curve;
     shown.designer.reset();
     return document;

@@ -253,8 +253,9 @@ Document withMethod(Document document, const AdaptiveOtfConfig& config) {
 }
 
 Document withCurve(Document document, const OpacityCurve& curve) {
-    const CurveKind kind = putCurve(document.curves, curve);
-    return echolucent::withCurve(std::move(document), firstPane, kind);
+    CurveSet curves = curvesOf(document, firstPane);
+    const CurveKind kind = putCurve(curves, curve);
+    return echolucent::withCurve(withCurves(std::move(document), firstPane, curves), firstPane, kind);
 }
 
 }  // namespace echolucent::cli
