@@ -12,6 +12,7 @@
 #include "io/restricted/restricted_reader.h"
 #include "io/study/named_study.h"
 #include "io/study/simulated_study.h"
+#include "processing/document/asked_phases.h"
 #include "processing/document/turned_document.h"
 
 namespace echolucent {
@@ -23,11 +24,7 @@ namespace fs = std::filesystem;
 /// Refuses documents that the window cannot show with this number of phases.
 Result<void> requireShowable(const SavedSession& session, const std::string& file, std::size_t phases) {
     const auto check = [&](const Document& document, const std::string& place) -> Result<void> {
-        int last = document.scene.phase;
-        for (const Pane& pane : document.panes) last = std::max(last, pane.phase.value_or(0));
-        for (const Measurement& measurement : document.measurements) last = std::max(last, measurement.phase);
-        if (const auto& range = document.motion.phaseRange) last = std::max({last, range->first, range->last});
-        last = std::max(last, document.motion.otfPhase);
+        const int last = lastPhaseOf(document);
         if (last >= static_cast<int>(phases))
             return fail(FailureKind::unreadable, file, place + "phases",
                         fmt::format("asks for phase {}, but the study has {}", last + 1, phases),

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 using Pointer = ordered_json::json_pointer;
 
 /// Keys of a pane that are missing in a file if they hold nothing.
-constexpr std::array keysOfSomePanes{"designer", "phase", "motion_otf"};
+constexpr std::array keysOfSomePanes{"designer", "method", "linear", "phase", "motion_otf"};
 /// Keys of the document that are no value of it.
 constexpr std::array keysOfFile{"format", "version"};
 
@@ -127,12 +127,18 @@ std::optional<std::string> firstMissing(const ordered_json& wanted, const ordere
 /// Whether `path` is a parameter that may lose its meaning by a choice of another one.
 bool dependsOnChoice(const std::string& path) {
     return path.starts_with("scene.look.") || path.starts_with("method.parameters.") ||
-           path.find("].designer.parameters.") != std::string::npos;
+           path.find("].designer.parameters.") != std::string::npos || path.find("].method.") != std::string::npos;
 }
 
 /// The text of any value; what is no UTF-8 in a file's name is replaced.
 std::string textOfAny(const ordered_json& value) {
     return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+void addAim(ordered_json& method) {
+    if (!method.is_object() || method.contains("aim")) return;
+    static const ordered_json standard = parametersJson(methodParameters(), methodParameters().standard);
+    method["aim"] = standard.at("aim");
 }
 
 /// Reads the document of a whole object. Parameters that are not in `given` and that a choice in it leaves without a
@@ -145,10 +151,10 @@ Result<Document> readWhole(ordered_json object, const ordered_json& given) {
             for (const char* key : keysOfSomePanes)
                 if (pane.is_object() && pane.contains(key) && pane[key].is_null()) pane.erase(key);
     // Without this key a document means the curve of bright surfaces; here it has its default if it gets a meaning.
-    if (ordered_json& method = object["method"]["parameters"]; method.is_object() && !method.contains("aim")) {
-        static const ordered_json standard = parametersJson(methodParameters(), methodParameters().standard);
-        method["aim"] = standard.at("aim");
-    }
+    addAim(object["method"]["parameters"]);
+    if (ordered_json& panes = object["panes"]; panes.is_array())
+        for (ordered_json& pane : panes)
+            if (pane.is_object() && pane.contains("method")) addAim(pane["method"]);
     for (;;) {
         auto read = documentOf(nlohmann::json::parse(textOfAny(object)), {}, {});
         if (read) return read;
@@ -215,17 +221,30 @@ void listPaths(const ordered_json& value, const std::string& place, std::vector<
     }
 }
 
+/// Of a list or an object the number of its entries.
+DocumentValue plainValue(const ordered_json& value) {
+    if (value.is_null()) return {};
+    if (value.is_boolean()) return value.get<bool>();
+    if (value.is_number()) return value.get<double>();
+    if (value.is_string()) return value.get<std::string>();
+    return static_cast<double>(value.size());
+}
+
 }  // namespace
 
 Result<DocumentValue> valueAt(const Document& document, std::string_view path) {
+    if (auto value = valuesAt(document, {std::string(path)}).front()) return *std::move(value);
+    return namesNothing(path);
+}
+
+std::vector<std::optional<DocumentValue>> valuesAt(const Document& document, const std::vector<std::string>& paths) {
     ordered_json object = wholeObject(document);
-    const ordered_json* value = find(object, path);
-    if (value == nullptr) return namesNothing(path);
-    if (value->is_null()) return DocumentValue{};
-    if (value->is_boolean()) return DocumentValue{value->get<bool>()};
-    if (value->is_number()) return DocumentValue{value->get<double>()};
-    if (value->is_string()) return DocumentValue{value->get<std::string>()};
-    return DocumentValue{static_cast<double>(value->size())};
+    std::vector<std::optional<DocumentValue>> values;
+    for (const std::string& path : paths) {
+        const ordered_json* value = find(object, path);
+        values.push_back(value ? std::optional(plainValue(*value)) : std::nullopt);
+    }
+    return values;
 }
 
 Result<std::string> textAt(const Document& document, std::string_view path) {

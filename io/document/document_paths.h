@@ -1,6 +1,7 @@
 // Paths into a document (docs/document.md#paths): one grammar for lessons, scripts and --set.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,9 @@ inline constexpr std::size_t longestDocumentPart = std::size_t{1} << 20;
 /// The value at a path; of a list or an object the number of its entries. Fails (wrong usage) if the path names
 /// nothing: the message names the path.
 [[nodiscard]] Result<DocumentValue> valueAt(const Document& document, std::string_view path);
+/// The values at several paths; none for a path that names nothing. Quicker than valueAt() for each.
+[[nodiscard]] std::vector<std::optional<DocumentValue>> valuesAt(const Document& document,
+                                                                 const std::vector<std::string>& paths);
 /// The value at a path as JSON in one line. Fails as valueAt().
 [[nodiscard]] Result<std::string> textAt(const Document& document, std::string_view path);
 

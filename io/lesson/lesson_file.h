@@ -26,8 +26,8 @@ struct LessonFiles {
     std::map<std::string, std::string> bytes;
 };
 
-/// The files of a lesson in a folder, whose names end in .json, .md, .png, .jpg or .jpeg; other files and folders are
-/// left out. Fails (unreadable) if the folder cannot be read, or if a file is a link, is too
+/// The files of a lesson in a folder: lesson.json, and names that end in .session.json, .md, .png, .jpg or .jpeg. Other
+/// files and folders are left out. Fails (unreadable) if the folder cannot be read, or if a file is a link, is too
 /// large, or is one too many.
 [[nodiscard]] Result<LessonFiles> lessonFilesIn(const std::string& folder);
 /// The lesson that these files hold. Fails (unreadable) with one sentence that names the file and the key: unknown and

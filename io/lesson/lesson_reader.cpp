@@ -185,6 +185,10 @@ private:
                                 const std::array<const Document*, 2>& documents, int depth) {
         LessonCondition condition;
         if (m_problems.first) return condition;
+        if (++m_conditions > mostLessonConditions) {
+            wrong(place, "is one condition too many: a lesson holds at most 200");
+            return condition;
+        }
         const bool single = object.is_object() && object.size() == 1;
         const auto kind = single ? conditionKindFromName(object.begin().key()) : std::nullopt;
         if (!kind) {
@@ -264,6 +268,7 @@ private:
     const LessonFiles& m_files;
     JsonProblems m_problems;
     Document m_ground;
+    std::size_t m_conditions = 0;  ///< that were read
 };
 
 /// How many bytes a file of this name may hold; none if it belongs to no lesson.

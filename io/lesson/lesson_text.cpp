@@ -121,9 +121,11 @@ std::vector<std::string> imagesIn(const std::string& markdown) {
     for (std::size_t at = markdown.find("!["); at != std::string::npos; at = markdown.find("![", at + 2)) {
         const std::size_t close = markdown.find(']', at);
         if (close == std::string::npos || close + 1 >= markdown.size()) break;
+        // An image within the words, or words that hide a bracket, would hide the outer image's name.
+        const bool plain = markdown.substr(at + 2, close - at - 2).find_first_of("[`\\<") == std::string::npos;
         const std::size_t begin = markdown.find_first_not_of(markdown[close + 1] == ':' ? ": \t" : "( \t<", close + 1);
-        if ((markdown[close + 1] != '(' && markdown[close + 1] != ':') || begin == std::string::npos) {
-            names.emplace_back();  // refers to a definition elsewhere, which no image of a lesson does
+        if (!plain || (markdown[close + 1] != '(' && markdown[close + 1] != ':') || begin == std::string::npos) {
+            names.emplace_back();  // or refers to a definition elsewhere, which no image of a lesson does
             continue;
         }
         names.push_back(markdown.substr(begin, markdown.find_first_of(" \t\r\n)>", begin) - begin));

@@ -22,7 +22,7 @@ namespace echolucent {
 [[nodiscard]] std::string markdownOf(const LessonText& text, const std::vector<std::string>& ids);
 
 /// The names in the images of a Markdown text ("![words](NAME)", "![words](NAME 'title')" and "![words]: NAME"), as
-/// they stand there.
+/// they stand there. Empty for an image that has no name there, or whose words are more than words.
 [[nodiscard]] std::vector<std::string> imagesIn(const std::string& markdown);
 
 }  // namespace echolucent

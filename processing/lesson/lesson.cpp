@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "processing/document/asked_phases.h"
 
 namespace echolucent {
 
@@ -16,6 +20,13 @@ bool isPlainName(const std::string& name, std::size_t longest) {
 
 const SimulatedScan* scanOf(const Document& document) { return std::get_if<SimulatedScan>(&document.study); }
 
+/// A simulated scan has one phase, as a session of it must.
+std::string problemOfPhases(const Document& document) {
+    if (lastPhaseOf(document) > 0) return "must not ask for a phase beyond the first, which is the only one";
+    if (document.motion.scenario != MotionScenario::probe) return "must have the motion of the probe, of a still scan";
+    return {};
+}
+
 std::string problemOfStep(const Lesson& lesson, const LessonStep& step) {
     if (!isLessonId(step.id)) return "id must be 1 to 40 lower case letters, digits and hyphens";
     if (std::ranges::count(lesson.steps, step.id, &LessonStep::id) != 1)
@@ -27,8 +38,12 @@ std::string problemOfStep(const Lesson& lesson, const LessonStep& step) {
     if (asks && (step.answers < fewestLessonAnswers || step.answers > mostLessonAnswers))
         return "question.answers must be 2 to 6";
     if (asks && step.right >= step.answers) return "question.right must be the place of an answer, counted from 0";
-    for (const auto* document : {&step.set, &step.solved})
-        if (*document && (*document)->study != lesson.begins.study) return "must not set another study";
+    for (const auto& [name, document] : {std::pair("set", &step.set), std::pair("solution", &step.solved)}) {
+        if (!*document) continue;
+        if ((*document)->study != lesson.begins.study) return std::string(name) + " must not set another study";
+        if (std::string problem = problemOfPhases(**document); !problem.empty())
+            return std::string(name) + " " + problem;
+    }
     return {};
 }
 
@@ -63,8 +78,14 @@ std::string problemOfText(const Lesson& lesson, const LessonText& text) {
 bool isLessonId(const std::string& id) { return isPlainName(id, longestLessonId); }
 
 bool isLessonLanguage(const std::string& language) {
-    constexpr std::size_t longest = 12;
-    return isPlainName(language, longest);
+    const auto areLetters = [](std::string_view part) {
+        return std::ranges::all_of(part, [](char letter) { return letter >= 'a' && letter <= 'z'; });
+    };
+    const std::string_view whole = language;
+    const std::size_t hyphen = std::min(whole.find('-'), whole.size());
+    const std::string_view own = whole.substr(0, hyphen), country = whole.substr(hyphen);
+    const bool named = (own.size() == 2 || own.size() == 3) && areLetters(own);
+    return named && (country.empty() || (country.size() == 3 && areLetters(country.substr(1))));
 }
 
 Document lessonGround(const SimulatedScan& scan) {
@@ -85,7 +106,7 @@ Document documentAfter(const Lesson& lesson, std::size_t step) {
 
 const LessonText& textIn(const Lesson& lesson, const std::string& language) {
     if (lesson.texts.empty()) throw std::invalid_argument("textIn: the lesson has no texts");
-    for (const std::string& wanted : {language, std::string("en")})
+    for (const std::string& wanted : {language, language.substr(0, language.find('-')), std::string("en")})
         if (const auto found = std::ranges::find(lesson.texts, wanted, &LessonText::language);
             found != lesson.texts.end())
             return *found;
@@ -101,6 +122,10 @@ std::string problemOfSteps(const Lesson& lesson) {
     for (const std::int64_t voxels : scan->size)
         if (voxels < smallest || voxels > largestLessonScan) return "study.size must be three numbers from 24 to 256";
     if (lesson.steps.empty() || lesson.steps.size() > mostLessonSteps) return "steps must be 1 to 60";
+    if (const std::string problem = problemOfPhases(lesson.begins); !problem.empty()) return "begins " + problem;
+    std::size_t conditions = 0;
+    for (const LessonStep& step : lesson.steps) conditions += step.until ? conditionsIn(*step.until) : 0;
+    if (conditions > mostLessonConditions) return "must hold at most 200 conditions";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i)
         if (const std::string problem = problemOfStep(lesson, lesson.steps[i]); !problem.empty())
             return "steps[" + std::to_string(i) + "]." + problem;

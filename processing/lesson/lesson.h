@@ -15,6 +15,7 @@ namespace echolucent {
 /// The limits of a lesson. What exceeds them is refused before it is kept.
 inline constexpr std::size_t mostLessonSteps = 60;
 inline constexpr std::size_t mostLessonLanguages = 20;
+inline constexpr std::size_t mostLessonConditions = 200;  ///< of all steps together
 inline constexpr std::size_t mostLessonAnswers = 6, fewestLessonAnswers = 2;
 inline constexpr std::size_t mostLessonImages = 40;
 inline constexpr std::size_t longestLessonId = 40;                       ///< bytes of a step's id
@@ -74,11 +75,12 @@ struct Lesson {
 [[nodiscard]] Document documentBefore(const Lesson& lesson, std::size_t step);
 /// The document of a step that is solved: LessonStep::solved, else documentBefore().
 [[nodiscard]] Document documentAfter(const Lesson& lesson, std::size_t step);
-/// The texts in a language, else in English, else the first ones. The lesson must have texts.
+/// The texts in a language ("pt-br"), else in this language without its country, else in English, else the first ones.
+/// The lesson must have texts.
 [[nodiscard]] const LessonText& textIn(const Lesson& lesson, const std::string& language);
 /// Whether a text may be a step's id.
 [[nodiscard]] bool isLessonId(const std::string& id);
-/// Whether a text may name a language ("en", "pt-br").
+/// Whether a text may name a language: two or three lower case letters, and two more of a country ("en", "pt-br").
 [[nodiscard]] bool isLessonLanguage(const std::string& language);
 
 /// problemOf() of all but the texts and the images.

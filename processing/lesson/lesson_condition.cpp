@@ -67,6 +67,12 @@ bool holds(const LessonCondition& condition, const NamedValue& valueOf) {
     }
 }
 
+std::size_t conditionsIn(const LessonCondition& condition) {
+    std::size_t count = 1;
+    for (const LessonCondition& part : condition.parts) count += conditionsIn(part);
+    return count;
+}
+
 std::vector<std::string> namesIn(const LessonCondition& condition) {
     std::vector<std::string> names;
     addNames(condition, names);
@@ -92,9 +98,12 @@ const std::vector<LessonMeasure>& lessonMeasures() {
 bool isLessonMeasure(std::string_view name) {
     std::string plain(name);
     const std::size_t bracket = plain.find('[');
-    if (bracket != std::string::npos && bracket + 2 < plain.size() && plain[bracket + 2] == ']' &&
-        plain[bracket + 1] >= '0' && plain[bracket + 1] < static_cast<char>('0' + mostPanes))
+    if (bracket != std::string::npos) {
+        const bool ofPane = bracket + 2 < plain.size() && plain[bracket + 2] == ']' && plain[bracket + 1] >= '0' &&
+                            plain[bracket + 1] < static_cast<char>('0' + mostPanes);
+        if (!ofPane) return false;
         plain[bracket + 1] = 'N';
+    }
     return std::ranges::find(lessonMeasures(), plain, &LessonMeasure::name) != lessonMeasures().end();
 }
 

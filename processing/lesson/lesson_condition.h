@@ -43,6 +43,8 @@ struct LessonCondition {
 using NamedValue = std::function<std::optional<DocumentValue>(std::string_view name)>;
 /// Whether a condition holds. A comparison of a value that is not known does not hold.
 [[nodiscard]] bool holds(const LessonCondition& condition, const NamedValue& valueOf);
+/// How many conditions there are in a condition, with itself.
+[[nodiscard]] std::size_t conditionsIn(const LessonCondition& condition);
 /// The names in a condition, in their order, each once.
 [[nodiscard]] std::vector<std::string> namesIn(const LessonCondition& condition);
 /// What is wrong with a condition: lower case, no full stop. Empty if nothing is.
