@@ -20,14 +20,15 @@ namespace echolucent {
 
 namespace {
 
-/// A radio button whose words take as many lines as they need. A click on the words chooses it too.
-class AnswerWords : public QLabel {
+/// The words of a radio button: as many lines as they need, of a stranger. A click on them chooses the button.
+class AnswerWords : public LessonTextView {
 public:
-    AnswerWords(const QString& words, QRadioButton* button, QWidget* parent) : QLabel(parent), m_button(button) {
-        setTextFormat(Qt::MarkdownText);
-        setText(words);
-        setWordWrap(true);
-        setBuddy(button);
+    AnswerWords(const LessonPage& page, int place, QRadioButton* button, QWidget* parent)
+        : LessonTextView(parent), m_button(button) {
+        setFocusPolicy(Qt::NoFocus);
+        setTextInteractionFlags(Qt::NoTextInteraction);
+        setImages(page.images);
+        showMarkdown(page.answers[place]);
     }
 
 protected:
@@ -90,7 +91,9 @@ QWidget* LessonsPanel::createPage() {
     column->setContentsMargins(0, 0, 0, 0);
     auto* head = new QHBoxLayout;
     m_lesson = secondaryLabel();
+    m_lesson->setObjectName("lessons.lesson");
     m_lesson->setWordWrap(true);
+    m_lesson->setTextFormat(Qt::PlainText);
     auto* leave =
         tool(tr("Leave"), "lessons.leave", tr("Ends the lesson. Your own study, document and history come back"), page);
     connect(leave, &QToolButton::clicked, this, &LessonsPanel::leaveRequested);
@@ -220,7 +223,7 @@ void LessonsPanel::showAnswers(const LessonPage& page) {
         button->setChecked(page.answered && i == page.right);
         connect(button, &QRadioButton::clicked, this, [this, i] { answer(i); });
         line->addWidget(button, 0, Qt::AlignTop);
-        line->addWidget(new AnswerWords(page.answers[i], button, row), 1);
+        line->addWidget(new AnswerWords(page, i, button, row), 1);
         m_answerRows->addWidget(row);
         row->show();
     }

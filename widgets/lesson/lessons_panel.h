@@ -38,7 +38,7 @@ struct LessonPage {
     QMap<QString, QByteArray> images{};
 };
 
-/// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open; lessons.title,
+/// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open; lessons.lesson, lessons.title,
 /// lessons.progress, lessons.leave, lessons.scroll, lessons.text, lessons.hint, lessons.hintText, lessons.question,
 /// lessons.answer.N, lessons.verdict, lessons.explanation, lessons.done, lessons.back, lessons.next, lessons.skip,
 /// lessons.reset. No setter emits a signal.
