@@ -6,6 +6,7 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QTimer>
+#include <algorithm>
 #include <utility>
 
 #include "app/compare/compare_room.h"
@@ -30,7 +31,8 @@ constexpr std::string_view tubeCoreName = "measured.tube_core";
 
 QString words(const std::string& text) { return QString::fromStdString(text); }
 
-std::string language() { return QLocale().name().section('_', 0, 0).toLower().toStdString(); }
+/// "pt-br".
+std::string language() { return QLocale().name().replace('_', '-').toLower().toStdString(); }
 
 /// The value of "measured.panes[N].KEY".
 std::optional<DocumentValue> measuredOf(const CompareRow& row, std::string_view key) {
@@ -56,7 +58,10 @@ LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
     connect(&m_parts.openStudy, &OpenStudy::openFailed, this, [this] { m_entering.reset(); });
     connect(&m_parts.openStudy, &OpenStudy::aboutToReplace, this, [this] {
         m_arriving = m_entering.has_value();
-        if (m_arriving) keepBefore();
+        if (m_arriving) return keepBefore();
+        if (!m_before) return;
+        m_parts.shown.takeOverFrom(m_before->document);  // the next study is the person's, not the lesson's
+        if (!m_lesson) m_before.reset();
     });
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, [this] {
         if (std::exchange(m_arriving, false))
@@ -68,7 +73,9 @@ LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
     connect(
         &m_parts.openStudy, &OpenStudy::loadingChanged, this,
         [this] {
-            if (!m_parts.openStudy.loading()) m_entering.reset();
+            if (m_parts.openStudy.loading()) return;
+            m_entering.reset();
+            if (m_leaving) leaveNow();
         },
         Qt::QueuedConnection);
     connect(&m_parts.model, &DocumentModel::changed, this, &LessonPlayer::look);
@@ -132,7 +139,8 @@ void LessonPlayer::enter(const Lesson& lesson) {
                                      MessageEnd::soon(lessonTopic));
         return;
     }
-    leave();
+    // If no study was open before a lesson, its scan stays until that of the next lesson comes.
+    if (!m_before || m_before->study) leaveNow();
     m_parts.messages.takeBack(lessonTopic);
     m_entering = lesson;
     m_asking = true;
@@ -142,12 +150,10 @@ void LessonPlayer::enter(const Lesson& lesson) {
 
 /// The lesson's scan is made and is about to take the place of the person's study.
 void LessonPlayer::keepBefore() {
-    m_before.emplace();
-    m_before->face = m_parts.face();
-    m_before->compares = m_parts.compare.shown();
+    const bool compares = m_parts.compare.shown();
     m_parts.compare.setShown(false);
-    m_before->document = m_parts.shown.keep();
-    m_before->study = m_parts.openStudy.keep();
+    if (!m_before)  // else a lesson's own scan is shown
+        m_before = Before{m_parts.openStudy.keep(), m_parts.shown.keep(), m_parts.face(), compares};
     m_parts.sessions.putAside();
 }
 
@@ -155,15 +161,21 @@ void LessonPlayer::begin() {
     m_lesson = std::exchange(m_entering, std::nullopt);
     m_progress.assign(m_lesson->steps.size(), {});
     m_parts.chooseFace(Face::teach);
-    standAside(true);
+    standAside();
     goTo(0, std::nullopt);
     emit playingChanged(true);
 }
 
 void LessonPlayer::leave() {
+    m_leaving = m_lesson && !m_entering && m_parts.openStudy.loading();
+    if (!m_leaving) leaveNow();
+}
+
+void LessonPlayer::leaveNow() {
     m_entering.reset();
+    m_leaving = false;
     if (!m_lesson) return;
-    const std::optional<Before> before = std::move(m_before);
+    std::optional<Before> before = std::exchange(m_before, std::nullopt);
     end();
     m_parts.player.pause();
     m_parts.compare.setShown(false);
@@ -176,6 +188,7 @@ void LessonPlayer::leave() {
         m_parts.openStudy.openSimulatedScan();  // nothing was open, as at a start
     }
     if (before) m_parts.chooseFace(before->face);
+    if (before && !before->study) m_before = std::move(before);  // until the scan of the start comes
 }
 
 void LessonPlayer::end() {
@@ -183,8 +196,9 @@ void LessonPlayer::end() {
     m_before.reset();
     m_progress.clear();
     m_step = 0;
+    m_leaving = false;
     m_outline.lieAround(nullptr);
-    standAside(false);
+    standBack();
     m_parts.panel.showList();
     emit playingChanged(false);
 }
@@ -234,9 +248,9 @@ void LessonPlayer::show(const Document& document) {
     Document wanted = document;
     wanted.study = m_parts.openStudy.reference();
     if (!isCompared(document)) m_parts.compare.setShown(false);  // panes that are only looked at go too
-    m_parts.model.edit(wanted, tr("lesson: %1").arg(words(textIn(*m_lesson, language()).steps.at(m_step).title)),
-                       DocumentModel::noGesture);
-    m_parts.player.setAngle(static_cast<int>(document.scene.motionAngle));
+    m_parts.model.editWithFrame(wanted,
+                                tr("lesson: %1").arg(words(textIn(*m_lesson, language()).steps.at(m_step).title)));
+    m_parts.model.showFrame(wanted.scene.motionAngle, wanted.scene.phase);  // another axis begins the motion anew
     m_parts.compare.setShown(isCompared(document));
 }
 
@@ -265,16 +279,19 @@ bool LessonPlayer::isDone() const {
 /// Finds out whether the step is done now.
 void LessonPlayer::look() {
     if (!m_lesson || isDone() || m_parts.openStudy.beginning()) return;
-    if (!holds(*m_lesson->steps[m_step].until, [this](std::string_view name) { return valueOf(name); })) return;
+    const LessonCondition& until = *m_lesson->steps[m_step].until;
+    const std::vector<std::string> names = namesIn(until);
+    const auto values = valuesAt(m_parts.model.document(), names);
+    const auto valueOf = [&](std::string_view name) {
+        if (isLessonMeasure(name)) return measured(name);
+        return values[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+    };
+    if (!holds(until, valueOf)) return;
     m_progress[m_step].done = true;
     m_parts.panel.setDone(true);
 }
 
-std::optional<DocumentValue> LessonPlayer::valueOf(std::string_view name) const {
-    if (!isLessonMeasure(name)) {
-        auto value = valueAt(m_parts.model.document(), name);
-        return value ? std::optional(std::move(*value)) : std::nullopt;
-    }
+std::optional<DocumentValue> LessonPlayer::measured(std::string_view name) const {
     if (const auto open = name.find('['); open != std::string_view::npos) {
         const std::vector<CompareRow>& rows = m_parts.measured.rows();
         const auto pane = static_cast<std::size_t>(name[open + 1] - '0');
@@ -291,25 +308,39 @@ std::optional<DocumentValue> LessonPlayer::valueOf(std::string_view name) const 
         static_cast<double>(name == "measured.tubes" ? otf->tubesMeetingVolume : otf->tubesWithWeight));
 }
 
-void LessonPlayer::standAside(bool aside) {
-    QDockWidget* dock = nullptr;
-    for (QWidget* around = &m_parts.panel; around != nullptr && dock == nullptr; around = around->parentWidget())
-        dock = qobject_cast<QDockWidget*>(around);
-    if (dock == nullptr || dock->isFloating()) return;
-    if (aside) {
+QDockWidget* LessonPlayer::dock() const {
+    for (QWidget* around = &m_parts.panel; around != nullptr; around = around->parentWidget())
+        if (auto* dock = qobject_cast<QDockWidget*>(around)) return dock;
+    return nullptr;
+}
+
+void LessonPlayer::standAside() {
+    QDockWidget* panel = dock();
+    if (panel == nullptr) return;
+    if (!m_place && !panel->isFloating()) {
+        const QList<QDockWidget*> beside = m_parts.window.tabifiedDockWidgets(panel);
+        m_place = Place{m_parts.window.dockWidgetArea(panel), panel->isHidden(), beside.value(0)};
         constexpr int width = 300;  // pixels; at 1280 the picture keeps 640
-        m_parts.window.addDockWidget(Qt::LeftDockWidgetArea, dock);
-        m_parts.window.resizeDocks({dock}, {width}, Qt::Horizontal);
-    } else {
-        m_parts.window.addDockWidget(Qt::RightDockWidgetArea, dock);
-        for (QDockWidget* each : m_parts.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-            if (each != dock && !each->isFloating()) {
-                m_parts.window.tabifyDockWidget(each, dock);
-                break;
-            }
+        m_parts.window.addDockWidget(Qt::LeftDockWidgetArea, panel);
+        m_parts.window.resizeDocks({panel}, {width}, Qt::Horizontal);
     }
-    dock->show();
-    dock->raise();
+    panel->show();
+    panel->raise();
+}
+
+/// The panel comes back where it was, and panels that were closed are closed again.
+void LessonPlayer::standBack() {
+    for (const QPointer<QDockWidget>& each : std::exchange(m_opened, {}))
+        if (each) each->hide();
+    QDockWidget* panel = dock();
+    const std::optional<Place> place = std::exchange(m_place, std::nullopt);
+    if (panel == nullptr || !place) return;
+    if (!panel->isFloating()) {
+        m_parts.window.addDockWidget(place->area, panel);
+        if (place->beside && !place->beside->isFloating()) m_parts.window.tabifyDockWidget(place->beside, panel);
+    }
+    panel->setVisible(!place->hidden);
+    if (!place->hidden) panel->raise();
 }
 
 /// Brings a control into view and outlines it.
@@ -318,6 +349,7 @@ void LessonPlayer::lookAt(const QString& name) {
     for (QWidget* around = target; around != nullptr; around = around->parentWidget()) {
         auto* dock = qobject_cast<QDockWidget*>(around);
         if (dock == nullptr) continue;
+        if (dock->isHidden()) m_opened.emplace_back(dock);
         dock->show();
         dock->raise();
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "processing/lesson/lesson.h"
 #include "widgets/lesson/lesson_outline.h"
 
+class QDockWidget;
 class QMainWindow;
 
 namespace echolucent {
@@ -30,8 +32,8 @@ class Works;
 /// A lesson is entered and left as a session is. Entering opens the lesson's simulated scan in Teach; the person's
 /// study, document, steps and session are kept, and leaving brings them back, with the face and the room that were
 /// shown; if no study was open, the simulated scan of the start. If another study is opened in a lesson, the lesson
-/// ends there, and what was changed and not saved before it is left unsaved. What a step sets is one step of the
-/// history.
+/// ends there. That study takes over look, curves and method of the person's own document, and what was changed and not
+/// saved before the lesson is left unsaved. What a step sets is one step of the history.
 ///
 ///            enter()               the scan is made                leave(), or after the last step
 ///   [none] ----------> [entering] ------------------> [playing] ----------------------------------> [none]
@@ -66,8 +68,11 @@ public:
     void enter(const Lesson& lesson);
     /// Begins the lesson in a folder, or says in a message why not.
     void enterFolder(const QString& folder);
-    /// Ends the lesson at once and brings the person's own work back. Does nothing if none is played.
+    /// Ends the lesson and brings the person's own work back. Does nothing if none is played. If a study is being
+    /// loaded, it wins: the lesson ends once it is there, or once it will not come.
     void leave();
+    /// leave() at once, whatever is being loaded.
+    void leaveNow();
     /// Whether a lesson is played; false while its scan is being made.
     [[nodiscard]] bool playing() const { return m_lesson.has_value(); }
     /// The step that is shown, counted from 0.
@@ -82,8 +87,8 @@ public:
     /// Sets the document as it was when the step began.
     void reset();
 
-    /// The value of a name in a condition (lessonMeasures(), or a path into the document); none if it is not known now.
-    [[nodiscard]] std::optional<DocumentValue> valueOf(std::string_view name) const;
+    /// What the window has measured under a name of lessonMeasures(); none if it is not known now.
+    [[nodiscard]] std::optional<DocumentValue> measured(std::string_view name) const;
 
 signals:
     /// A lesson has begun or ended.
@@ -114,7 +119,9 @@ private:
     void look();
     void lookAt(const QString& name);
     /// The panel stands left of the picture while a lesson is played: its words are seen beside any other panel.
-    void standAside(bool aside);
+    void standAside();
+    void standBack();
+    [[nodiscard]] QDockWidget* dock() const;
 
     Parts m_parts;
     std::optional<std::vector<Lesson>> m_lessons;
@@ -122,7 +129,16 @@ private:
     bool m_asking = false;             ///< while this object asks for a study
     bool m_arriving = false;           ///< while the study of m_entering replaces the present one
     std::optional<Lesson> m_lesson;
-    std::optional<Before> m_before;
+    bool m_leaving = false;          ///< once the study that is being loaded will not come
+    std::optional<Before> m_before;  ///< while the lesson's document is shown, or that of a lesson that has ended
+    /// Where the panel was before the lesson.
+    struct Place {
+        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        bool hidden = false;
+        QPointer<QDockWidget> beside;  ///< a panel behind whose tab it was
+    };
+    std::optional<Place> m_place;
+    std::vector<QPointer<QDockWidget>> m_opened;  ///< panels that a step has shown, and that were closed before
     std::size_t m_step = 0;
     std::vector<Progress> m_progress;
     LessonOutline m_outline;

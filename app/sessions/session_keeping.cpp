@@ -82,6 +82,14 @@ bool SessionKeeping::holdsWork() const {
     return document.scene.front != opened.scene.front || document.panes.size() != opened.panes.size();
 }
 
+bool SessionKeeping::holdsSettings() const {
+    const Document document = m_parts.model.ownDocument();
+    const Document& opened = m_parts.shown.opened();
+    return !m_inFile && (m_parts.editor.isManualModified() || document.curves != opened.curves ||
+                         document.scene.look != opened.scene.look || document.method != opened.method ||
+                         document.scene.side != opened.scene.side);
+}
+
 void SessionKeeping::noteChange() {
     if (m_between || m_parts.openStudy.study() == nullptr) return;
     if (!m_looking.isActive()) m_looking.start();
@@ -107,12 +115,15 @@ void SessionKeeping::leave() {
     if (!first) look();
     m_between = true;
     const int number = m_number++;
-    if (first) return;
+    if (first) {
+        if (std::exchange(m_puttingAside, false)) m_aside.emplace();
+        return;
+    }
     writeNext();  // the study that is left gets no checksum any more
     if (m_aside) return leaveAside();
     if (std::exchange(m_puttingAside, false)) {
-        m_aside = Aside{m_snapshots.list(), m_file, m_inFile, m_fromLeft, m_fileTime, {}};
-        if (!m_changed) return m_autosave->forget();
+        m_aside = Aside{m_snapshots.list(), m_file, m_inFile, m_fromLeft, m_fileTime, {}, m_changed};
+        if (!m_changed && !holdsSettings()) return m_autosave->forget();
         const Autosave::Left left = m_autosave->leaveBehind();
         m_aside->left =
             Leftover{left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}};
@@ -120,12 +131,7 @@ void SessionKeeping::leave() {
     }
     // Another study takes over curves, look and method; a session brings its own.
     const Document document = m_parts.model.ownDocument();
-    const Document& opened = m_parts.shown.opened();
-    const bool replaced = m_parts.openStudy.saved() && !m_inFile &&
-                          (m_parts.editor.isManualModified() || document.curves != opened.curves ||
-                           document.scene.look != opened.scene.look || document.method != opened.method ||
-                           document.scene.side != opened.scene.side);
-    if (!m_changed && !replaced) return m_autosave->forget();
+    if (!m_changed && !(m_parts.openStudy.saved() && holdsSettings())) return m_autosave->forget();
     const Autosave::Left left = m_autosave->leaveBehind();
     Leftover leftover{left.file, left.lock, QDateTime::currentDateTime(), studyPathOf(m_parts.model.document()), {}};
     const bool onItsWay = std::ranges::any_of(m_orders, [&](const Order& order) {
@@ -141,7 +147,11 @@ void SessionKeeping::leave() {
 /// Another study takes the place of the one that was looked at for a while.
 void SessionKeeping::leaveAside() {
     if (m_takingBack || m_puttingAside) return;  // from one lesson to the next the session stays aside
-    if (m_aside->left) m_left->add(std::move(*m_aside->left));
+    // As in leave(): a study takes over what an opened session replaces.
+    if (m_aside->left && (m_aside->changed || m_parts.openStudy.saved()))
+        m_left->add(std::move(*m_aside->left));
+    else if (m_aside->left)
+        m_autosave->discard({m_aside->left->file, m_aside->left->lock});
     m_aside.reset();
 }
 

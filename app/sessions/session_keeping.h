@@ -77,7 +77,8 @@ public:
 
     /// The next study that opens is one to look at for a while, such as a lesson's. The session is put aside, with its
     /// file and its snapshots; if it was changed it stays on disk, as if it had been left. What is done meanwhile is
-    /// not kept. If another study is opened instead of coming back, the session that was put aside is left unsaved.
+    /// not kept. If another study is opened instead of coming back, the session that was put aside is left as usual.
+    /// If no study is open, nothing is put aside, and what is done meanwhile is not kept either.
     void putAside() { m_puttingAside = true; }
     /// The next study that opens is that of the session that was put aside. It goes on as it was.
     void takeBack() { m_takingBack = true; }
@@ -106,7 +107,8 @@ private:
         std::optional<SavedSession> inFile;
         bool fromLeft = false;
         QDateTime fileTime;
-        std::optional<Leftover> left;  ///< its file on disk, if it was changed
+        std::optional<Leftover> left{};  ///< its file on disk, if it was changed or holds a look or curves of its own
+        bool changed = false;
     };
     void leaveAside();
     void goOn();
@@ -132,6 +134,8 @@ private:
     [[nodiscard]] QString chosenFile(const QString& named, const QString& folder);
     [[nodiscard]] QString proposedFolder() const;
     [[nodiscard]] bool holdsWork() const;
+    /// Whether the session has no file, and curves, look, method or side that an opened session would replace.
+    [[nodiscard]] bool holdsSettings() const;
 
     Parts m_parts;
     Snapshots m_snapshots;

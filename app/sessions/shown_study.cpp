@@ -161,7 +161,8 @@ void ShownStudy::takeVolume() {
 void ShownStudy::beginDocument() {
     OpenStudy& openStudy = m_parts.openStudy;
     const Study& study = *openStudy.study();
-    const int before = std::exchange(m_phases, static_cast<int>(study.phases.size()));
+    const int phases = std::exchange(m_phases, static_cast<int>(study.phases.size()));
+    const std::optional<Kept> takenOver = std::exchange(m_takenOver, std::nullopt);
     m_parts.messages.endStudy();
     m_parts.messages.setRemark({});
     m_parts.method.clearResult();
@@ -170,10 +171,10 @@ void ShownStudy::beginDocument() {
         m_parts.editor.setDesign(QString::fromStdString(state.designer), std::nullopt);
     m_parts.motion.setStudy(study);
     emit aboutToBegin();
-    OpenedDocuments opened =
-        openedDocuments(m_parts.model.ownDocument(),
-                        {openStudy.reference(), openStudy.volume()->dataBox(), m_phases, before, openStudy.finds()},
-                        m_parts.picture.aspect());
+    OpenedDocuments opened = openedDocuments(takenOver ? takenOver->document.document : m_parts.model.ownDocument(),
+                                             {openStudy.reference(), openStudy.volume()->dataBox(), m_phases,
+                                              takenOver ? takenOver->phases : phases, openStudy.finds()},
+                                             m_parts.picture.aspect());
     m_opened = openStudy.given() ? *openStudy.given() : std::move(opened.found);
     if (const auto kept = std::exchange(m_broughtBack, std::nullopt)) {
         m_opened = kept->opened;

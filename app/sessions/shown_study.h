@@ -54,10 +54,14 @@ public:
     struct Kept {
         DocumentModel::Kept document;
         Document opened;
+        int phases = 1;  ///< of the study
     };
-    [[nodiscard]] Kept keep() const { return {m_parts.model.keep(), m_opened}; }
+    [[nodiscard]] Kept keep() const { return {m_parts.model.keep(), m_opened, m_phases}; }
     /// The next study that is replaced (OpenStudy::comeBack()) begins with what keep() gave.
     void bringBack(const Kept& kept) { m_broughtBack = kept; }
+    /// The next study that is replaced takes over look, curves, method and panes of what keep() gave, and not those of
+    /// the present document.
+    void takeOverFrom(const Kept& kept) { m_takenOver = kept; }
 
 signals:
     /// Another study's document takes the place of the present one.
@@ -80,7 +84,7 @@ private:
 
     Parts m_parts;
     Document m_opened;
-    std::optional<Kept> m_broughtBack;
+    std::optional<Kept> m_broughtBack, m_takenOver;
     bool m_asked = false;                             ///< a study is being loaded
     int m_phases = 1;                                 ///< of the study
     PacedWords m_numbers{[this] { showNumbers(); }};  ///< of the newest OTF

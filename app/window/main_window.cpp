@@ -388,7 +388,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    m_lessons->leave();  // the person's own session is asked for and remembered
+    m_lessons->leaveNow();  // the person's own session is asked for and remembered
     if (!m_sessions->mayClose() || !m_files->mayLoseManualCurve()) {
         event->ignore();
         return;
