@@ -42,6 +42,9 @@ public:
     Window(const Document& document, const std::shared_ptr<const Volume>& scan) : m_document(document), m_scan(scan) {}
 
     std::optional<DocumentValue> valueOf(std::string_view name) {
+        if (name == "tubes of panes[1]")
+            return static_cast<double>(
+                adaptOpacity(*m_scan, otfViewpointOf(m_document, 1), configOf(m_document))->tubesWithWeight);
         if (!isLessonMeasure(name)) {
             auto value = valueAt(m_document, name);
             return value ? std::optional(*value) : std::nullopt;
@@ -124,6 +127,58 @@ void playSteps(bool measured) {
         }
     }
     EXPECT_GT(played, 0);
+}
+
+/// A number that the words of a step say.
+struct SaidNumber {
+    const char* lesson;
+    const char* step;
+    const char* name;
+    double least, most;
+};
+
+constexpr SaidNumber saidNumbers[] = {
+    {"x-squared", "three-powers", "measured.panes[0].contrast", 0.455, 0.465},
+    {"x-squared", "three-powers", "measured.panes[1].contrast", 0.215, 0.225},
+    {"x-squared", "three-powers", "measured.panes[1].late", 75, 80},
+    {"x-squared", "three-powers", "measured.panes[2].never", 50, 100},
+    {"x-squared", "too-much", "measured.panes[0].early", 67, 100},
+    {"x-squared", "contrast", "measured.panes[0].right", 80, 90},
+    {"x-squared", "contrast", "measured.panes[1].right", 80, 90},
+    {"x-squared", "contrast", "measured.panes[0].contrast", 0.9, 1.1},
+    {"x-squared", "contrast", "measured.panes[1].contrast", 2.1, 2.4},
+    {"x-squared", "other-view", "measured.panes[0].right", 64, 68},
+    {"x-squared", "other-view", "measured.panes[1].right", 74, 76},
+    {"x-squared", "other-view", "measured.panes[0].contrast", 0.5, 0.6},
+    {"x-squared", "other-view", "measured.panes[1].contrast", 1, 1.1},
+    {"one-otf-or-one-a-view", "question", "measured.tubes", 225, 225},
+    {"one-otf-or-one-a-view", "question", "measured.tubes_with_weight", 213, 213},
+    {"one-otf-or-one-a-view", "at-thirty", "measured.panes[0].right", 75.05, 75.15},
+    {"one-otf-or-one-a-view", "at-thirty", "measured.panes[1].right", 75.15, 75.25},
+    {"one-otf-or-one-a-view", "at-thirty", "tubes of panes[1]", 193, 193},
+    {"one-otf-or-one-a-view", "fewer-tube-cores", "measured.tubes_with_weight", 213, 213},
+    {"one-otf-or-one-a-view", "fewer-tube-cores", "tubes of panes[1]", 178, 178},
+    {"one-otf-or-one-a-view", "fewer-tube-cores", "measured.panes[0].right", 62.5, 63.5},
+    {"one-otf-or-one-a-view", "fewer-tube-cores", "measured.panes[1].right", 62.5, 63.5},
+};
+
+TEST(LongShippedLessons, TheWordsSayWhatIsMeasured) {
+    const std::string folder = std::string(ECHOLUCENT_SOURCE_DIR) + "/resources/lessons/";
+    for (const char* name : {"x-squared", "one-otf-or-one-a-view"}) {
+        const auto lesson = readLesson(folder + name);
+        ASSERT_TRUE(lesson) << lesson.error().sentence();
+        for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
+            const Document document = documentBefore(*lesson, i);
+            Window window(document, scanOf(*lesson));
+            for (const SaidNumber& said : saidNumbers) {
+                if (said.lesson != std::string(name) || said.step != lesson->steps[i].id) continue;
+                const auto value = window.valueOf(said.name);
+                ASSERT_TRUE(value) << said.step << " " << said.name;
+                EXPECT_GE(std::get<double>(*value), said.least) << said.step << " " << said.name;
+                EXPECT_LE(std::get<double>(*value), said.most) << said.step << " " << said.name;
+            }
+        }
+    }
 }
 
 TEST(ShippedLessons, EachStepIsDoneByItsSolutionAndNotBefore) { playSteps(false); }
