@@ -195,6 +195,22 @@ private slots:
         }
         const auto& shown = std::get<SampledCurve>(panes[0].classification.curve()).opacities;
         for (std::size_t i = 0; i < mean.size(); ++i) QVERIFY(std::abs(shown[i] - mean[i]) < 1e-12);
+        // What is saved anew is what is seen.
+        const QString path = temporaryFolder().filePath("figure11.png");
+        window().panesSaving().save(path, {.allPanes = true, .width = grid().width()});
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(path), patience);
+        waitUntilRest();
+        const QImage saved(path);
+        for (std::size_t place = 0; place < 2; ++place) {
+            const ComparePane& pane = grid().pane(place);
+            const auto made = rgbBytesOf(saved.copy(pane.pictureRect().translated(pane.pos())));
+            const auto seen = rgbBytesOf(images()[place]);
+            QCOMPARE(made.size(), seen.size());
+            int farthest = 0;
+            for (std::size_t i = 0; i < made.size(); ++i)
+                farthest = std::max(farthest, std::abs(static_cast<int>(made[i]) - static_cast<int>(seen[i])));
+            QVERIFY2(farthest <= 1, qPrintable(QString::number(farthest)));
+        }
     }
 
     void onePaneReadsAsPublished() {
@@ -281,13 +297,21 @@ private slots:
         QCOMPARE(rgbBytesOf(QApplication::clipboard()->image()), rgbBytesOf(saved));
         const QString large = temporaryFolder().filePath("large.png");
         QVERIFY(child<QAction>("file.savePanes")->isEnabled());
+        const std::optional<QColor> frame = grid().pane(0).face().frame;
+        window().document().change("colours", [](Document& next) { next.comparison.colours = true; });
+        QVERIFY(grid().pane(0).face().coloured);
         window().panesSaving().save(large, {.allPanes = true, .width = grid().width() * 3 / 2});
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(large), patience);
         waitUntilRest();
-        const QImage twice = QImage(large).scaled(saved.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+        const QImage inLarge(large);
+        const QImage twice = inLarge.scaled(saved.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
         const auto mean = [](const QImage& image, const QRect& rect) {
             return qGray(image.copy(rect).scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).pixel(0, 0));
         };
+        // Its pictures are not coloured, so frames have the colours of the curves.
+        bool framed = false;
+        for (int x = 0; x < inLarge.width() && !framed; ++x) framed = inLarge.pixelColor(x, 1) == *frame;
+        QVERIFY(framed);
         for (std::size_t place = 0; place < 4; ++place) {
             const QRect rect = grid().pane(place).geometry();
             QVERIFY(std::abs(mean(twice, rect) - mean(saved, rect)) <= 3);

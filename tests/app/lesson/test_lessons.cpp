@@ -10,8 +10,10 @@
 #include "app/lesson/shipped_lessons.h"
 #include "app/sessions/session_keeping.h"
 #include "app/window/window_faces.h"
+#include "processing/adaptive/method_reading.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/lesson_text_view.h"
+#include "widgets/lesson/lessons_panel.h"
 
 using namespace echolucent;
 
@@ -25,6 +27,7 @@ Lesson smallLesson() {
     lesson.begins.panes[0].curve = CurveKind::linear;
     Document two = lesson.begins;
     two.panes = {{.curve = CurveKind::linear}, {.curve = CurveKind::quartic}};
+    two.scene.motionAngle = 12.5;
     Document solved = lesson.begins;
     solved.panes[0].curve = CurveKind::parabolic;
     LessonStep see{.id = "see", .lookAt = "view3d", .answers = 2, .right = 1};
@@ -137,6 +140,11 @@ private slots:
         QCOMPARE(model.steps().count(), before + 2);
         QVERIFY(window().compareRoom().shown());
         QCOMPARE(document().panes.size(), std::size_t{2});
+        QCOMPARE(document().scene.motionAngle, 12.5);
+        model.steps().undo();
+        QCOMPARE(document().scene.motionAngle, 0.0);
+        model.steps().redo();
+        QCOMPARE(document().scene.motionAngle, 12.5);
         QVERIFY(!player().isDone());
         QTRY_VERIFY(player().isDone());  // once it is measured
         QCOMPARE(child<QAbstractButton>("lessons.next")->text(), "Finish");
@@ -169,8 +177,13 @@ private slots:
         QVERIFY(!player().isDone());
     }
 
+    /// Begun before a study is open, as a class may.
     void whatToLookAtIsOutlinedBesideTheWords() {
+        window().faces().choose(Face::teach);
+        for (const char* closed : {"dock.lessons", "dock.otfEditor"}) child<QDockWidget>(closed)->hide();
         enter(smallLesson());
+        QVERIFY(!child<QDockWidget>("dock.lessons")->isHidden());
+        QVERIFY(child<QDockWidget>("dock.otfEditor")->isHidden());
         const auto outlined = [this] {
             QRect around;
             for (int side = 0; side < 4; ++side) {
@@ -192,19 +205,51 @@ private slots:
         QVERIFY(!child("otfEditor.active.parabolic")->visibleRegion().isEmpty());
         child<QDockWidget>("dock.method")->raise();
         QTRY_VERIFY(outlined().isEmpty());  // its panel is behind another one
+        child<QDockWidget>("dock.otfEditor")->raise();
+        QTRY_COMPARE(outlined(), placeOf("otfEditor.active.parabolic"));
         click("lessons.next");
         QTRY_VERIFY(outlined().isEmpty());
+
+        // Nothing of it is a person's work, in this lesson and in the next one.
+        window().document().change("box", [](Document& next) { next.scene.box.on = true; });
+        waitUntilIdle();
+        QVERIFY(!window().isWindowModified());
+        enter(smallLesson());
+        player().leave();
+        QVERIFY(!player().playing());
+        for (const char* closed : {"dock.lessons", "dock.otfEditor"}) QVERIFY(child<QDockWidget>(closed)->isHidden());
+        open(m_file);
+        QVERIFY(document().panes[0].curve == CurveKind::adaptive);
+        QVERIFY(!document().scene.box.on);
+        QVERIFY(!window().sessionKeeping().isAside());
+        QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
     }
 
     void anotherStudyEndsTheLessonAndLeavesTheWorkUnsaved() {
         open(m_file);
-        window().document().change("box", [](Document& next) { next.scene.box.on = true; });
+        window().document().change("own", [](Document& next) {
+            next.scene.box.on = true;
+            next.scene.look.brightness = 1.25;
+            next.curves.parabolic.scale = 1.75;
+            next.method.config = configOf(MethodReading::asPublished);
+        });
+        const Document own = document();
         waitUntilIdle();
         enter(smallLesson());
+        window().document().change("of the lesson", [](Document& next) {
+            next.curves.parabolic.scale = 4;
+            next.scene.look.brightness = 0.5;
+        });
         waitUntilIdle();
         QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
-        open(m_file);
-        QVERIFY(!player().playing());
+        window().open(m_file);
+        player().leave();  // the study that was asked for wins
+        QVERIFY(player().playing());
+        QTRY_VERIFY(!player().playing());
+        waitUntilIdle();
+        QVERIFY(document().curves == own.curves && document().method == own.method);
+        QCOMPARE(document().scene.look.brightness, 1.25);
+        QVERIFY(document().panes == own.panes);
         QCOMPARE(window().sessionKeeping().leftUnsaved().list().size(), std::size_t{1});
         QVERIFY(child("lessons.list")->isVisibleTo(child("lessons")));
         player().leave();  // there is nothing to leave
@@ -275,6 +320,18 @@ private slots:
         view.showMarkdown("<b>not bold</b> and <img src=\"" + other + "\">");
         QVERIFY2(view.toPlainText().contains("<b>not bold</b>"), qPrintable(view.toPlainText()));
         QVERIFY(!view.openLinks());
+
+        QVERIFY(QImage(40, 400, QImage::Format_RGB32).save(other));
+        const QString html = "<img src=\"" + other + "\">";
+        LessonPage page{html, html, html, html, html, html};
+        page.answers = {html, "![high](" + other + ")"};
+        LessonsPanel panel;
+        panel.resize(300, 500);
+        panel.showPage(page);
+        for (const char* name : {"lessons.lesson", "lessons.title"})
+            QVERIFY2(panel.findChild<QLabel*>(name)->sizeHint().height() < 300, name);
+        for (const char* name : {"lessons.answer.0", "lessons.answer.1"})
+            QVERIFY2(panel.findChild<QWidget*>(name)->parentWidget()->sizeHint().height() < 300, name);
     }
 
 private:

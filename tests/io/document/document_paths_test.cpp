@@ -15,8 +15,16 @@ namespace {
 
 std::string refusalOf(const Result<Document>& result) { return result ? std::string() : result.error().sentence(); }
 
+Document withOwnPanes() {
+    Document document;
+    document.panes = {{.curve = CurveKind::linear, .linear = LinearCurve{0.1, 2, 0.9}},
+                      {.method = configOf(MethodReading::asPublished)},
+                      {}};
+    return document;
+}
+
 TEST(DocumentPaths, EveryPathNamesAValueThatCanBeSetToItself) {
-    for (const Document& document : {Document{}, unusualDocument()}) {
+    for (const Document& document : {Document{}, unusualDocument(), withOwnPanes()}) {
         const std::vector<std::string> paths = pathsOf(document);
         EXPECT_GT(paths.size(), 80U);
         for (const std::string& path : paths) {
@@ -39,7 +47,12 @@ TEST(DocumentPaths, AValueIsReadByTheKeysOfTheFile) {
     EXPECT_EQ(*valueAt(document, "panes[1].curve"), DocumentValue(std::string("quartic")));
     EXPECT_EQ(*valueAt(document, "panes"), DocumentValue(2.0)) << "a list stands for the number of its entries";
     EXPECT_EQ(*valueAt(document, "panes[1].designer"), DocumentValue()) << "what a file leaves out is there";
+    EXPECT_EQ(*valueAt(document, "panes[1].method"), DocumentValue());
+    EXPECT_EQ(*valueAt(document, "panes[0].linear"), DocumentValue());
+    EXPECT_EQ(*valueAt(withOwnPanes(), "panes[0].linear.slope"), DocumentValue(2.0));
     EXPECT_EQ(*valueAt(document, "scene.exposure"), DocumentValue(1.0));
+    const auto values = valuesAt(document, {"scene.exposure", "scene.nothing", "panes"});
+    EXPECT_EQ(values, (std::vector<std::optional<DocumentValue>>{1.0, std::nullopt, 2.0}));
     EXPECT_EQ(*valueAt(document, "scene.box.on"), DocumentValue(false));
 }
 
@@ -93,6 +106,12 @@ TEST(DocumentPaths, AChoiceDropsParametersWithoutAMeaningAndGivesTheOthersTheirD
     const auto back = withValueAt(*product, "method.parameters.form", "\"ramp\"");
     ASSERT_TRUE(back) << refusalOf(back);
     EXPECT_EQ(*valueAt(*back, "method.parameters.aim"), *valueAt(document, "method.parameters.aim"));
+    const auto ramp = withValueAt(withOwnPanes(), "panes[1].method.form", "ramp");
+    ASSERT_TRUE(ramp) << refusalOf(ramp);
+    EXPECT_EQ(*valueAt(*ramp, "panes[1].method.aim"), *valueAt(document, "method.parameters.aim"));
+    EXPECT_FALSE(valueAt(*withValueAt(*ramp, "panes[1].method.form", "product"), "panes[1].method.aim"));
+    EXPECT_TRUE(*withValueAt(*ramp, "panes[1].method", "null") ==
+                *withValueAt(withOwnPanes(), "panes[1].method", "null"));
 }
 
 TEST(DocumentPaths, APartIsPutOverTheDocument) {
@@ -125,7 +144,7 @@ TEST(DocumentPaths, ThePartBetweenTwoDocumentsMakesOneOfTheOther) {
     designed.scene.front.depthMm = 12;
     Document published;
     published.method.config = configOf(MethodReading::asPublished);
-    const std::vector<Document> documents{Document{}, designed, published};
+    const std::vector<Document> documents{Document{}, designed, published, withOwnPanes()};
     for (const Document& from : documents)
         for (const Document& to : documents) {
             const auto made = withPart(from, partBetween(from, to));

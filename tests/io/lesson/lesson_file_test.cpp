@@ -71,6 +71,12 @@ LessonFiles changedLesson(const char* pointer, const std::optional<ordered_json>
     return files;
 }
 
+/// 1 + 10 × 21 conditions.
+ordered_json manyConditions() {
+    const ordered_json some{{"any", std::vector<ordered_json>(mostConditionParts, {{"present", "panes"}})}};
+    return {{"all", std::vector<ordered_json>(10, some)}};
+}
+
 std::string refusal(const LessonFiles& files) {
     const auto lesson = lessonFrom(files);
     return lesson ? "" : lesson.error().sentence();
@@ -89,6 +95,16 @@ TEST(LessonFile, IsReadIntoDocumentsAndTexts) {
     set.panes[0].curve = CurveKind::parabolic;
     EXPECT_TRUE(documentAfter(*lesson, 1) == set);
     const LessonText& text = textIn(*lesson, "de");
+    Lesson translated = *lesson;
+    for (const char* language : {"pt", "pt-br"}) {
+        EXPECT_EQ(textIn(translated, "pt-br").language, language == std::string("pt") ? "en" : "pt");
+        translated.texts.push_back(text);
+        translated.texts.back().language = language;
+    }
+    EXPECT_EQ(textIn(translated, "pt-br").language, "pt-br");
+    LessonFiles withNotes = smallLesson();
+    for (const char* notes : {"readme.md", "notes-x.md"}) withNotes.bytes[notes] = "# Notes";
+    EXPECT_TRUE(lessonFrom(withNotes)) << refusal(withNotes);
     EXPECT_EQ(text.language, "en");
     EXPECT_EQ(text.title, "Two curves");
     EXPECT_EQ(text.summary, "What a curve does.");
@@ -174,6 +190,11 @@ TEST(LessonFile, EachRefusalNamesFileAndKey) {
         {"/steps/0/until", ordered_json{{"equal", {"system", 1}}},
          "steps[0].until.equal names \"system\", which is neither"},
         {"/steps/0/until", ordered_json{{"equal", {"measured.panes[4].late", 1}}}, "which is neither a value"},
+        {"/steps/0/until", ordered_json{{"equal", {"measured.panes[N].late", 1}}}, "which is neither a value"},
+        {"/begins/scene/phase", 1, "begins must not ask for a phase beyond the first"},
+        {"/steps/1/set/scene/phase", 1, "steps[1].set must not ask for a phase beyond the first"},
+        {"/steps/1/set/motion", ordered_json{{"scenario", "object"}}, "steps[1].set must have the motion of the probe"},
+        {"/steps/0/until", manyConditions(), "is one condition too many: a lesson holds at most 200"},
         {"/steps/0/until", ordered_json{{"less", {"panes[0].curve", "x"}}},
          "steps[0].until.less must compare with a number"},
         {"/steps/0/until", ordered_json{{"between", {"panes", 3, 1}}},
@@ -207,7 +228,8 @@ TEST(LessonFile, TextsBelongToStepsAndShowNoStrangersImages) {
     for (const char* name : {"/etc/logo.png", "../wall.png", "http://a.example/x.png", "file:///wall.png", "other.png",
                              "data:image/png;base64,AA", "//a.example/x.png"})
         EXPECT_NE(said("wall.png", name).find(image), std::string::npos) << name;
-    EXPECT_NE(said("![the wall](wall.png)", "![the wall][w]").find(image), std::string::npos);
+    for (const char* hidden : {"![the wall][w]", "![a ![b](wall.png)](/etc/x.png)", "![a `](wall.png)` ](/etc/x.png)"})
+        EXPECT_NE(said("![the wall](wall.png)", hidden).find(image), std::string::npos) << hidden;
     EXPECT_NE(said("{#choose}", "{#chose}").find("has a section {#chose} that is no step"), std::string::npos);
     EXPECT_NE(said("{#choose}", "{#see}").find("has two sections of {#see}"), std::string::npos);
     EXPECT_NE(said("### A hint {#hint}", "### {#tip}").find("{#tip} that is no hint"), std::string::npos);

@@ -91,6 +91,9 @@ TEST(Panes, APaneKeepsALinearCurveOfItsOwn) {
     EXPECT_EQ(changed.curves.quartic.scale, 3);
     EXPECT_EQ(withCurves(document, 1, edited).curves.linear, other);
     EXPECT_EQ(withCurve(document, 0, CurveKind::linear).panes[0], document.panes[0]);
+    Document figure6 = withPane(compared(), 0, {.curve = CurveKind::adaptive, .linear = own});
+    EXPECT_EQ(withCurve(figure6, 0, CurveKind::linear).panes[0].linear, own) << "the curve that was drawn beside it";
+    EXPECT_FALSE(withCurve(figure6, 0, CurveKind::quartic).panes[0].linear);
     EXPECT_EQ(withCurve(document, 0, CurveKind::manual).panes[0], (Pane{.curve = CurveKind::manual}));
     EXPECT_FALSE(openedDocument(document, SimulatedScan{}).panes[0].linear) << "the next scan has the person's";
     const Preset preset = presetOf(document, 0, "own");
