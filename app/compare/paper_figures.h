@@ -34,7 +34,8 @@ struct PaperFigure {
 ///   1   has panes with (a) a linear OTF, (b) the piecewise linear one of eq. 1 with L_L = 20, a = 0.5, L_H = 255, (c)
 ///       the adaptive one;
 ///   5   has the method as published, whose curve is a product of basis functions;
-///   6   has the same, and beside its curve the initial one and the piecewise linear one of (b);
+///   6   has the same, and beside its curve the initial one, x² with the scale 1, and the piecewise linear one of (b);
+///       this is the only figure that sets a curve which a person may have set;
 ///   9   turns the view by figure9Degrees: one pane has one OTF for all frames, the other an OTF for each frame;
 ///   10  has an OTF for each frame;
 ///   11  has panes with the mean of five OTFs and with an OTF for each frame, at figure11Degrees.
