@@ -92,12 +92,7 @@ void ComparedViews::follow() {
     m_parts.grid.arrange(comparison.layout, document.panes.size());
     m_parts.grid.setNames(names());
     const QSize size = m_parts.grid.pictureSize();
-    if (size.isEmpty()) {
-        // The panes get their places later. What was measured of other panes must not stay meanwhile.
-        stopCasting();
-        emit followed();
-        return;
-    }
+    if (size.isEmpty()) return stopCasting();
     m_asked = {};
     bool usable = true;
     for (const std::size_t place : placesWanted()) {

@@ -79,7 +79,8 @@ LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
         },
         Qt::QueuedConnection);
     connect(&m_parts.model, &DocumentModel::changed, this, &LessonPlayer::look);
-    connect(&m_parts.otfs, &PaneOtfs::computed, this, &LessonPlayer::look);
+    // Queued: an OTF that was kept arrives before the numbers that were measured of the one before are gone.
+    connect(&m_parts.otfs, &PaneOtfs::computed, this, &LessonPlayer::look, Qt::QueuedConnection);
     connect(&m_parts.tubeCore, &TubeCoreChoice::chosen, this, &LessonPlayer::look);
     // What is measured is there once a work has ended.
     connect(&m_parts.works, &Works::changed, this, &LessonPlayer::look, Qt::QueuedConnection);

@@ -161,18 +161,28 @@ private slots:
 
     void whatWasMeasuredOfOtherPanesDoesNotCount() {
         Lesson lesson = smallLesson();
-        LessonStep three{.id = "three", .set = lesson.steps[2].set};
-        three.set->panes = {
-            {.curve = CurveKind::linear}, {.curve = CurveKind::linear}, {.curve = CurveKind::parabolic}};
-        three.until = lesson.steps[2].until;
-        lesson.steps = {lesson.steps[2], three};
-        lesson.texts[0].steps = {{"Two", "Wait."}, {"Three", "Wait."}};
-        enter(lesson);
-        QVERIFY(window().compareRoom().shown());
+        Document first = lesson.begins;
+        first.panes = {{.curve = CurveKind::adaptive}, {.curve = CurveKind::quartic}};
+        Document second = first;
+        std::get<RampRule>(second.method.config.curve).aim = 0.0;
+        Document third = first;  // its adaptive OTF is kept from the first step, and arrives at once
+        third.panes[1].curve = CurveKind::linear;
+        const LessonCondition quartic{ConditionKind::greater, "measured.panes[1].never", 1.0};
+        lesson.steps.clear();
+        lesson.texts[0].steps.clear();
+        for (const Document& set : {first, second, third}) {
+            LessonStep step{.id = "step-" + std::to_string(lesson.steps.size()), .set = set};
+            step.until = quartic;
+            lesson.steps.push_back(step);
+            lesson.texts[0].steps.push_back({"Wait", "Wait."});
+        }
+        player().enter(lesson);
+        QTRY_VERIFY(player().isDone());
+        click("lessons.next");
         QTRY_VERIFY(player().isDone());
         click("lessons.next");
         QVERIFY(!player().isDone());
-        waitUntilIdle();
+        QTRY_VERIFY(player().valueOf("measured.panes[1].never"));
         QVERIFY(player().valueOf("measured.panes[1].never") == DocumentValue(0.0));
         QVERIFY(!player().isDone());
     }
