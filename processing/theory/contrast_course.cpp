@@ -11,7 +11,9 @@ namespace {
 
 constexpr ChoiceNames<2> axisNames{"depth", "ratio"};
 constexpr std::int64_t coursePlaces = 100;  // and the one at 0
-constexpr double toldApart = 0.0005;        // of contrasts
+constexpr double toldApart = 0.0005;        // of differences, shares of white
+
+double differenceOf(const CurveContrast& one) { return one.pixels.tissue - one.pixels.fluid; }
 
 std::int64_t unitsPerPlace(std::int64_t fluidUnits) {
     std::int64_t units = 1;
@@ -48,11 +50,11 @@ std::vector<CurveContrast> contrastsOf(const TheorySetting& setting) {
 
 std::vector<std::size_t> winnersOf(const std::vector<CurveContrast>& contrasts) {
     double most = 0.0;
-    for (const CurveContrast& one : contrasts) most = std::max(most, one.contrast.value_or(0.0));
+    for (const CurveContrast& one : contrasts) most = std::max(most, differenceOf(one));
     std::vector<std::size_t> winners;
     if (!(most > toldApart)) return winners;
     for (std::size_t i = 0; i < contrasts.size(); ++i)
-        if (contrasts[i].contrast.value_or(0.0) > most - toldApart) winners.push_back(i);
+        if (differenceOf(contrasts[i]) > most - toldApart) winners.push_back(i);
     return winners;
 }
 

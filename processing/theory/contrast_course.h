@@ -47,8 +47,9 @@ struct CurveContrast {
 };
 /// What each curve makes of the setting's model, in the order of the curves. Throws as curvesOf() does.
 [[nodiscard]] std::vector<CurveContrast> contrastsOf(const TheorySetting& setting);
-/// The curves with the largest contrast: indices, ascending. They are several if their contrasts differ by less than
-/// 0.0005, which no table shows. Empty if no contrast is above that.
+/// The curves whose pixels differ most, tissue less fluid, whatever contrast the setting asks for: relative contrasts
+/// rise as the fluid turns black, however dark the tissue is. Indices, ascending. They are several if their differences
+/// lie less than 0.0005 of white apart. Empty if no difference is above that.
 [[nodiscard]] std::vector<std::size_t> winnersOf(const std::vector<CurveContrast>& contrasts);
 
 /// contrastsOf() at each place of an axis.

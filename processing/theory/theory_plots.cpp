@@ -114,9 +114,11 @@ std::string winnerSentence(const TheorySetting& setting) {
     const std::vector<CurveContrast> contrasts = contrastsOf(setting);
     const std::vector<std::size_t> winners = winnersOf(contrasts);
     if (winners.empty()) return "No curve shows the tissue." + parabolaSentence(setting);
-    const std::string most = shareText(contrasts[winners.front()].contrast);
-    return "The tissue is shown best by " + listedNames(contrasts, winners) + ": " + most +
-           (setting.contrast == ContrastKind::difference ? " of white." : ".") + parabolaSentence(setting);
+    double most = 0.0;
+    for (const std::size_t winner : winners)
+        most = std::max(most, contrasts[winner].pixels.tissue - contrasts[winner].pixels.fluid);
+    return "By difference, the tissue is shown best by " + listedNames(contrasts, winners) + ": " + shareText(most) +
+           " of white." + parabolaSentence(setting);
 }
 
 std::string shareText(const std::optional<double>& value) {

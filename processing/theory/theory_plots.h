@@ -24,8 +24,8 @@ namespace echolucent {
 /// The contrast of all curves along an axis. Weber contrast has a logarithmic axis.
 [[nodiscard]] Plot contrastPlot(const TheorySetting& setting, const ContrastCourse& course, CourseAxis axis);
 
-/// "The tissue is shown best by eq. 1 and adaptive: 0.333 of white. The parabola beats the line at every depth." The
-/// second sentence speaks of the difference, whatever the setting's contrast is.
+/// "By difference, the tissue is shown best by eq. 1 and adaptive: 0.333 of white. The parabola beats the line at every
+/// depth." Both sentences speak of the difference, whatever the setting's contrast is.
 [[nodiscard]] std::string winnerSentence(const TheorySetting& setting);
 /// Three digits behind the point, as every table writes pixels and contrasts; "-" if there is no value.
 [[nodiscard]] std::string shareText(const std::optional<double>& value);

@@ -32,7 +32,8 @@ private slots:
     void itBeginsWithThePapersCurvesAndThePhantomsIntensities() {
         QVERIFY(m_panel->setting() == TheorySetting{});
         showsItsSetting();
-        QVERIFY2(words().startsWith("The tissue is shown best by adaptive: 0.333 of white."), qPrintable(words()));
+        QVERIFY2(words().startsWith("By difference, the tissue is shown best by adaptive: 0.333 of white."),
+                 qPrintable(words()));
     }
 
     void eachControlSetsItsValueAlone() {

@@ -51,13 +51,19 @@ std::optional<double> TheoryRow::toNoise() const {
     return noise > 0.0 && speckle > 0.0 ? std::optional(difference() / noise) : std::nullopt;
 }
 
-std::vector<double> measuredRatios(const TheorySetting& setting) {
-    std::vector<double> ratios{0.05, 0.3, 0.6};
+namespace {
+
+/// Ascending, each once, with that of the setting.
+std::vector<double> withOwnRatio(std::vector<double> ratios, const TheorySetting& setting) {
     if (setting.model.tissue > 0.0) ratios.push_back(setting.model.fluid / setting.model.tissue);
     std::ranges::sort(ratios);
     ratios.erase(std::unique(ratios.begin(), ratios.end()), ratios.end());
     return ratios;
 }
+
+}  // namespace
+
+std::vector<double> measuredRatios(const TheorySetting& setting) { return withOwnRatio({0.05, 0.3, 0.6}, setting); }
 
 std::vector<TheoryRow> measurePlain(const TheoryMeasure& measure) {
     constexpr int narrow = 8;  // all rays of a half are the same
@@ -84,8 +90,8 @@ std::vector<TheoryRow> measureSpeckled(const TheoryMeasure& measure) {
 
 std::vector<AdaptiveRow> measureAdaptive(const TheoryMeasure& measure) {
     constexpr double speckles[] = {0.0, 0.5, 1.0};
-    std::vector<double> ratios = measuredRatios(measure.setting);
-    ratios.insert(ratios.end() - 1, {0.4, 0.5});  // about here the method stops to find surfaces
+    // From 0.4 to 0.5 the method stops to find surfaces.
+    const std::vector<double> ratios = withOwnRatio({0.05, 0.3, 0.4, 0.5, 0.6}, measure.setting);
     std::vector<AdaptiveRow> rows;
     for (const double ratio : ratios)
         for (const double speckle : speckles) {

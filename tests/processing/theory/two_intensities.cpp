@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "processing/theory/contrast_course.h"
+#include "processing/theory/theory_plots.h"
 
 namespace echolucent {
 namespace {
@@ -90,6 +91,33 @@ TEST(TwoIntensities, EqualIntensitiesHaveNoContrast) {
         setting.model = model;
         EXPECT_TRUE(winnersOf(contrastsOf(setting)).empty());
     }
+}
+
+TEST(TwoIntensities, TheWinnerIsDecidedByTheDifferenceWhateverContrastIsShown) {
+    TheorySetting setting;
+    for (const ContrastKind kind : allContrastKinds) {
+        setting.contrast = kind;
+        EXPECT_EQ(winnerSentence(setting),
+                  "By difference, the tissue is shown best by adaptive: 0.333 of white. The parabola beats the line at "
+                  "every depth.");
+    }
+    // Nearly black fluid, as typed of 255: Weber contrast is up to 1e14 there, and eq. 1 has none at all.
+    setting.model.fluid = 0.1 / 255.0;
+    for (const ContrastKind kind : allContrastKinds) {
+        setting.contrast = kind;
+        EXPECT_EQ(winnerSentence(setting),
+                  "By difference, the tissue is shown best by adaptive: 0.333 of white. The parabola beats the line "
+                  "from 23 units of fluid on.");
+    }
+    ASSERT_EQ(setting.contrast, ContrastKind::weber);
+    const auto contrasts = contrastsOf(setting);
+    EXPECT_FALSE(contrasts[3].contrast) << "eq. 1 leaves the fluid black";
+    EXPECT_GT(*contrasts[2].contrast, *contrasts[0].contrast) << "by Weber contrast x^4 would beat x";
+    // Nearly clear fluid and a thick wall: all but the line let the fluid be seen through, and make the wall opaque.
+    setting.model.tissueUnits = 4000;
+    EXPECT_EQ(winnerSentence(setting),
+              "By difference, the tissue is shown best by parabolic, x², quartic, x⁴, eq. 1 and adaptive: 0.333 of "
+              "white. The parabola beats the line at every depth.");
 }
 
 TEST(TwoIntensities, RelativeContrastsOfPixels) {
