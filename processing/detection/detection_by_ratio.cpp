@@ -13,15 +13,20 @@ std::vector<int> slabsOf(std::span<const TubeSamples> samples) {
     return slabs;
 }
 
+/// The cell of contrast 0, counted from the first cell; may be below 0. Contrast 0 belongs to the boundary behind the
+/// first leastFluid slabs. A cell has the contrast at its middle.
+int firstContrastCell(const RatioRule& rule, int cellSize) { return rule.leastFluid - cellSize / 2; }
+
 }  // namespace
 
 IndexRange contrastCellsOf(const CellStatistics& cells, const RatioRule& rule, int cellSize) {
     const int size = static_cast<int>(cells.means.size());
     if (cells.lastCell < cells.firstCell) return {};
-    // Contrast 0 belongs to the boundary behind the first leastFluid slabs. A cell has the contrast at its middle.
-    const int first = cells.firstCell + std::max(0, rule.leastFluid - cellSize / 2);
+    // The first contrasts may lie before the middle of the first cell: no cell has them.
+    const int ofFirst = cells.firstCell + firstContrastCell(rule, cellSize);
     const auto slabs = static_cast<std::size_t>(cells.lastCell - cells.firstCell + cellSize);
-    return {first, std::min(size, first + static_cast<int>(contrastCount(slabs, rule))) - 1};
+    return {std::max(cells.firstCell, ofFirst),
+            std::min(size, ofFirst + static_cast<int>(contrastCount(slabs, rule))) - 1};
 }
 
 DetectionByRatio::DetectionByRatio(const RatioRule& rule, std::span<const TubeSamples> samples, int cellSize)
@@ -52,8 +57,9 @@ std::vector<float> DetectionByRatio::interfaceFunctionOf(std::size_t tube, const
     std::vector<float> ofCells(cells.means.size(), 0.0f);
     const auto contrasts = m_contrasts->contrasts(tube);
     const IndexRange ofBoundaries = contrastCellsOf(cells, m_rule, m_cellSize);
+    const int ofFirst = cells.firstCell + firstContrastCell(m_rule, m_cellSize);
     for (int cell = ofBoundaries.first; cell <= ofBoundaries.last; ++cell)
-        ofCells[static_cast<std::size_t>(cell)] = contrasts[static_cast<std::size_t>(cell - ofBoundaries.first)];
+        ofCells[static_cast<std::size_t>(cell)] = contrasts[static_cast<std::size_t>(cell - ofFirst)];
     return ofCells;
 }
 

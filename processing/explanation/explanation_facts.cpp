@@ -19,17 +19,6 @@ std::string shortText(double value) {
 }
 std::string shortText(const std::optional<double>& value) { return value ? shortText(*value) : "none"; }
 
-std::string stateText(TubeState state) {
-    switch (state) {
-        case TubeState::weighs: return "surface";
-        case TubeState::weighsNothing: return "surface without a weight";
-        case TubeState::noSurface: return "no surface";
-        case TubeState::outside: return "outside the data";
-        case TubeState::neverPlaced: return "never placed";
-    }
-    return {};
-}
-
 /// Builds the rows of one explanation.
 class Rows {
 public:
@@ -70,8 +59,9 @@ void Rows::addPlace() {
                       "The tube core's number: it stands in column " + std::to_string(number % columns) + " and row " +
                           std::to_string(number / columns) + " of the grid, both counted from 0.",
                       "t = row · " + std::to_string(columns) + " + column", "Petersch 2005, section 4.1"});
-    m_rows.push_back(
-        {"state", "state", stateText(m_of.state), "", "What the tube core found.", "", "docs/method.md, 4"});
+    m_rows.push_back({"state", "state", std::string(nameOf(m_of.state)), "",
+                      "Whether the tube core found a surface, and whether that has a weight.", "",
+                      "docs/method.md, 4"});
     m_rows.push_back({"surface_cell", "s_t", ifFound(std::to_string(m_tube.surfaceCell)), "",
                       "The cell at which the surface lies, counted along the view from the first sample.", "",
                       byRatio() ? "Petersch 2005, section 4.2; docs/method.md, Detection by ratio"
@@ -205,8 +195,9 @@ void Rows::addChange() {
     m_rows.push_back({"change_without", "max Δα", shortText(changeAt(most)), "",
                       "The largest change of the curve if the tube core is never placed and all is computed again.",
                       "Δα = α without it − α", "docs/explain.md"});
-    m_rows.push_back({"change_without_at", "x of max Δα", shortText(AdaptiveOtf::intensityOf(most)), "",
-                      "The intensity at which the curve changes most.", "", "docs/explain.md"});
+    const bool changes = changeAt(most) != 0.0;
+    m_rows.push_back({"change_without_at", "x of max Δα", changes ? shortText(AdaptiveOtf::intensityOf(most)) : "none",
+                      "", "The intensity at which the curve changes most.", "", "docs/explain.md"});
 }
 
 std::string whyNoWeight(const TubeExplanation& explained) {
@@ -224,6 +215,7 @@ std::string whyNoSurface(const TubeExplanation& explained) {
         return explained.tube.trackedCells.empty() ? "no local maximum of its interface function counts"
                                                    : "no complete cell lies before the maximum found";
     if (!explained.fluidIntensity) return "the view shows no boundary of fluid";
+    if (explained.unreadSurface) return "no complete cell lies before the boundary found";
     const IndexRange cells = explained.contrastCells;
     const auto counts = [&](int cell) {
         return explained.tube.interfaceFunction[static_cast<std::size_t>(cell)] > explained.leastContrast.value_or(0.0);

@@ -19,8 +19,8 @@ struct ExplanationFact {
     std::string place;     ///< where it stands, e.g. "Petersch 2005, eq. 11"
 };
 
-/// The rows, in the order in which the method finds them. Which rows there are depends on the rules alone, never on
-/// what a tube core found.
+/// The rows, in the order in which the method finds them. Which rows there are depends on the rules and on whether the
+/// curve is meant for quiet voxels, never on what a tube core found.
 [[nodiscard]] std::vector<ExplanationFact> explanationFacts(const TubeExplanation& explanation);
 
 /// What became of the tube core, as one or two sentences: "It weighs 0.021 of 0.030." or why it has no surface or no

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* alongTheTube = "units along the tube core";
+constexpr std::size_t cellsColour = 0, surfaceColour = 1;  // the same with and without quiet voxels
 
 /// Where the middle of a cell lies, units from the first sample.
 double middleOf(const TubeExplanation& explained, int cell) { return cell + (explained.config.cells.size - 1) / 2.0; }
@@ -147,6 +148,12 @@ PlotSeries curveSeries(std::string name, const std::vector<double>& values) {
     return {.name = std::move(name), .x = curveIntensities(), .y = values};
 }
 
+/// "225", or "the 100 heaviest of 225".
+std::string countText(std::size_t count, std::size_t all) {
+    const std::string few = std::to_string(count);
+    return count == 0 || count >= all ? few : "the " + few + " heaviest of " + std::to_string(all);
+}
+
 /// "parabolic", so that the line has the colour of that curve; else "initial function".
 std::string initialName(const OpacityCurve& initial) {
     const std::string name = "initial function";
@@ -170,12 +177,14 @@ Plot intensityProfilePlot(const TubeExplanation& explanation) {
         plot.series.push_back(samplesSeries("quiet voxels on the axis", explanation.axis.shown));
     plot.series.push_back(cellsSeries("means of cells", explanation, tube.cellMeans, 0, explanation.cells.tube));
     plot.series.back().weight = PlotWeight::heavy;
+    plot.series.back().colour = cellsColour;
     if (explanation.fluidIntensity) plot.marksY.push_back({*explanation.fluidIntensity, "fluid level"});
     if (!found(explanation)) return plot;
     plot.bands.push_back(cellsBand(explanation, explanation.cells.low, "cells of I_L"));
     plot.bands.push_back(
         cellsBand(explanation, {explanation.cells.highCell, explanation.cells.highCell}, "cell of I_H"));
     PlotSeries surface = pointsSeries("surface");
+    surface.colour = surfaceColour;
     surface.x = {middleOf(explanation, tube.surfaceCell)};
     surface.y = {static_cast<double>(tube.cellMeans[static_cast<std::size_t>(tube.surfaceCell)])};
     plot.series.push_back(std::move(surface));
@@ -216,7 +225,10 @@ Plot factorsPlot(const TubeExplanation& explanation, std::span<const TubeFactor>
     plot.yLabel = ramps ? "ramp" : "factor f_t";
     plot.rangeX = PlotRange{0.0, 1.0};
     if (ramps) plot.rangeY = PlotRange{0.0, 1.0};
-    PlotSeries others{.name = std::to_string(all.size()) + " tube cores with a weight", .x = {}, .y = {}};
+    PlotSeries others{.name = countText(all.size(), static_cast<std::size_t>(explanation.full.tubesWithWeight)) +
+                              " tube cores with a weight",
+                      .x = {},
+                      .y = {}};
     others.weight = PlotWeight::faint;
     const std::vector<double> intensities = curveIntensities();
     for (const TubeFactor& factor : all) {

@@ -11,6 +11,7 @@
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/halved_lengths.h"
 #include "processing/adaptive/read_tube_cores.h"
+#include "processing/choice_names.h"
 #include "processing/detection/choose_detection.h"
 #include "processing/detection/detection_by_ratio.h"
 #include "processing/intensity/no_data.h"
@@ -23,6 +24,8 @@
 namespace echolucent {
 
 namespace {
+
+constexpr ChoiceNames<5> stateNames{"weighs", "no weight", "no surface", "outside", "never placed"};
 
 void requireHeld(const AdaptiveOtf& otf, int number) {
     if (number < 0 || static_cast<std::size_t>(number) >= otf.tubes.size())
@@ -87,11 +90,17 @@ CellsRead cellsReadOf(const CellStatistics& cells, const TubeCore& tube, const A
     return read;
 }
 
-/// Reads the tube core's row again, because a run keeps neither exact cells nor scales.
-void explainReading(const Volume& volume, std::span<const TubeSamples> row, const Progress& progress,
+/// Reads the tube core's row again, because a run keeps neither exact cells nor scales. If the ratio gave no surface,
+/// reads all rows: only together they have the thresholds that tell whether one was found and could not be read.
+void explainReading(const Volume& volume, std::span<const TubeSamples> all, const Progress& progress,
                     TubeExplanation& explained) {
     const AdaptiveOtfConfig& config = explained.config;
-    const auto place = static_cast<std::size_t>(explained.tube.column);
+    const auto* ratio = std::get_if<RatioRule>(&config.detection);
+    const bool together = ratio != nullptr && explained.state == TubeState::noSurface;
+    const auto columns = static_cast<std::size_t>(config.grid.columns);
+    const auto number = static_cast<std::size_t>(explained.number);
+    const std::size_t begin = together ? 0 : number / columns * columns, place = number - begin;
+    const auto row = together ? all : all.subspan(begin, columns);
     const Progress silent{{}, progress.cancel};
     StageTimes times;
     StageRunner run(silent, times);
@@ -104,8 +113,11 @@ void explainReading(const Volume& volume, std::span<const TubeSamples> row, cons
     const CellStatistics& cells = detection->cellsOf(place, scratch);
     explained.cells = cellsReadOf(cells, explained.tube, config);
     explained.scales = detection->traceOf(cells);
-    if (const auto* ratio = std::get_if<RatioRule>(&config.detection))
-        explained.contrastCells = contrastCellsOf(cells, *ratio, config.cells.size);
+    if (ratio == nullptr) return;
+    explained.contrastCells = contrastCellsOf(cells, *ratio, config.cells.size);
+    std::vector<int> tracked;
+    if (!together) return;
+    if (const auto surface = detection->surfaceOf(place, cells, tracked)) explained.unreadSurface = surface->cell;
 }
 
 template <typename ValueOf>
@@ -144,6 +156,8 @@ ExplainedCurve aloneOf(const Volume& voxels, const AdaptiveOtf& otf, std::size_t
 }
 
 }  // namespace
+
+std::string_view nameOf(TubeState state) { return nameIn(stateNames, state); }
 
 AdaptiveOtfConfig configWithout(AdaptiveOtfConfig config, int number) {
     std::vector<int>& without = config.grid.withoutTubes;
@@ -191,8 +205,7 @@ std::optional<TubeExplanation> explainTube(const Volume& volume, const QuietVoxe
     const auto axes = tubeAxes(volume.geometry(), otf.view, config.grid, config.cells.size);
     const auto samples = samplesOf(axes, volume.geometry(), otf.view, config.cells.size);
     explained.axis = axisOf(read, quiet, config.cells, samples[place]);
-    const auto columns = static_cast<std::size_t>(config.grid.columns);
-    explainReading(read, std::span(samples).subspan(place / columns * columns, columns), progress, explained);
+    explainReading(read, samples, progress, explained);
 
     explained.intensityRank = rankOf(
         otf, place, [](const TubeCore& tube) { return tube.lowIntensityMax; }, false);

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "processing/adaptive/adaptive_otf_config.h"
@@ -24,7 +25,7 @@
 
 namespace echolucent {
 
-/// What a tube core is in its run.
+/// What a tube core is in its run; nameOf() gives its word.
 enum class TubeState {
     weighs,         ///< a surface, d > 0
     weighsNothing,  ///< a surface, d is 0
@@ -32,6 +33,9 @@ enum class TubeState {
     outside,        ///< its axis misses the volume or meets no data
     neverPlaced,    ///< TubeGrid::withoutTubes names it
 };
+
+/// "weighs", "no weight", "no surface", "outside", "never placed": the words of window, page and JSON.
+[[nodiscard]] std::string_view nameOf(TubeState state);
 
 /// Intensities along a tube core (Fig. 2). Element k of each list lies at TubeCore::firstSampleVoxel + k units along
 /// the view. NaN without data.
@@ -100,6 +104,9 @@ struct TubeExplanation {
     /// With RatioRule: the cells whose interface function is the contrast of a boundary. At the others it is 0, because
     /// too few slabs lie before or behind.
     IndexRange contrastCells;
+    /// With RatioRule: the cell of a surface that was found, but could not be read, because no complete cell lies
+    /// before it. Then the state is noSurface.
+    std::optional<int> unreadSurface;
 
     WeightRank intensityRank;  ///< w_I, by the largest prior mean
     WeightRank slopeRank;      ///< w_S, by the slope

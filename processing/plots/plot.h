@@ -43,7 +43,7 @@ struct PlotBand {
     friend bool operator==(const PlotBand&, const PlotBand&) = default;
 };
 
-/// What an axis spans at least.
+/// What an axis spans, but for a little room at both ends.
 struct PlotRange {
     double from = 0.0, to = 1.0;  ///< from < to
     friend bool operator==(const PlotRange&, const PlotRange&) = default;

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <set>
 
 #include "processing/explanation/explanation_facts.h"
+#include "processing/plots/series_style.h"
 #include "tests/processing/explanation/explained_scan.h"
+#include "tests/processing/grids.h"
 
 namespace echolucent {
 namespace {
@@ -44,7 +48,7 @@ TEST(ExplanationFacts, SayTheNumbersOfTheTubeCore) {
     const TubeExplanation explained = publishedRun().explained(number);
     const auto facts = explanationFacts(explained);
     EXPECT_EQ(factOf(facts, "number").value, std::to_string(number));
-    EXPECT_EQ(factOf(facts, "state").value, "surface");
+    EXPECT_EQ(factOf(facts, "state").value, "weighs");
     EXPECT_EQ(factOf(facts, "surface_cell").value, std::to_string(explained.tube.surfaceCell));
     for (const auto& [key, value] : {std::pair<std::string, double>{"i_low", *explained.tube.lowIntensity},
                                      {"i_high", *explained.tube.highIntensity},
@@ -83,15 +87,90 @@ TEST(ExplanationFacts, SayWhyATubeCoreHasNoWeight) {
 }
 
 TEST(ExplanationFacts, SayWhichRuleOfTheRatioFails) {
-    TubeExplanation explained = defaultRun().explained(heaviestFirst(defaultRun().otf).front());
+    int low = 0, notFluid = 0;
+    for (std::size_t t = 0; t < defaultRun().otf.tubes.size(); ++t) {
+        if (stateOf(defaultRun().otf, static_cast<int>(t)) != TubeState::noSurface) continue;
+        const TubeExplanation explained = defaultRun().explained(static_cast<int>(t));
+        if (explained.cells.tube.empty()) continue;
+        EXPECT_FALSE(explained.unreadSurface);
+        const auto& contrasts = explained.tube.interfaceFunction;
+        const bool enough = *std::ranges::max_element(contrasts) > *explained.leastContrast;
+        const std::string says = explanationSentence(explained);
+        EXPECT_NE(says.find(enough ? "leads from enough fluid to tissue" : "has a contrast above "), std::string::npos)
+            << says;
+        ++(enough ? notFluid : low);
+    }
+    EXPECT_GT(low, 0);
+    EXPECT_GT(notFluid, 0);
+    TubeExplanation explained = defaultRun().explained(0);
     explained.state = TubeState::noSurface;
-    EXPECT_NE(explanationSentence(explained).find("leads from enough fluid to tissue"), std::string::npos);
-    explained.leastContrast = 1e6;
-    EXPECT_NE(explanationSentence(explained).find("has a contrast above 1000000"), std::string::npos);
     explained.fluidIntensity.reset();
     EXPECT_NE(explanationSentence(explained).find("no boundary of fluid"), std::string::npos);
     explained.cells.tube = {};
     EXPECT_NE(explanationSentence(explained).find("to fill a cell"), std::string::npos);
+}
+
+TEST(ExplanationFacts, SayIfNoCellLiesBeforeASurfaceOfTheRatio) {
+    // Fluid of 4 slabs before tissue: the surface's cell begins in the fluid's middle, and no cell fits before it.
+    std::mt19937 random(4);
+    std::normal_distribution<double> speckle(1.0, 0.2);
+    std::vector<std::uint8_t> voxels;
+    for (int z = 0; z < 48; ++z)
+        for (int i = 0; i < 48 * 48; ++i) {
+            const double level = z < (i % 48 < 24 ? 4 : 16) ? 10.0 : 120.0;
+            voxels.push_back(static_cast<std::uint8_t>(std::lround(std::clamp(level * speckle(random), 1.0, 255.0))));
+        }
+    const Volume volume(gridOf({48, 48, 48}, {1, 1, 1}), std::move(voxels), 255.0);
+    AdaptiveOtfConfig config;
+    config.grid.columns = config.grid.rows = 7;
+    auto& rule = std::get<RatioRule>(config.detection);
+    rule.leastFluid = 3;
+    rule.leastDark = 2;
+    const AdaptiveOtf otf = *adaptOpacity(volume, {}, config);
+    ASSERT_TRUE(otf.fluidIntensity && !otf.lengthsHalved);
+    int unread = 0;
+    for (int number = 0; number < 49; ++number) {
+        const TubeExplanation explained = *explainTube(volume, {}, otf, number);
+        if (!explained.unreadSurface) continue;
+        ++unread;
+        EXPECT_EQ(explained.state, TubeState::noSurface);
+        EXPECT_LT(*explained.unreadSurface, config.cells.size);
+        EXPECT_EQ(explanationSentence(explained),
+                  "Tube core " + std::to_string(number) +
+                      " found no surface: no complete cell lies before the boundary found.");
+    }
+    EXPECT_GT(unread, 5);
+}
+
+TEST(ExplanationFacts, SayNoneForThePlaceOfNoChange) {
+    const ExplainedRun run(configWithout({}, 40));
+    const auto facts = explanationFacts(run.explained(40));
+    EXPECT_EQ(factOf(facts, "change_without").value, "0");
+    EXPECT_EQ(factOf(facts, "change_without_at").value, "none");
+    const auto moving = explanationFacts(run.explained(heaviestFirst(run.otf).front()));
+    EXPECT_NE(factOf(moving, "change_without_at").value, "none");
+}
+
+TEST(ExplanationPlots, NameHowManyOfTheFactorsTheyHold) {
+    const TubeExplanation explained = publishedRun().explained(heaviestFirst(publishedRun().otf).front());
+    const std::string all = std::to_string(publishedRun().otf.tubesWithWeight);
+    EXPECT_EQ(factorsPlot(explained, allFactors(publishedRun().otf)).series.front().name,
+              all + " tube cores with a weight");
+    EXPECT_EQ(factorsPlot(explained, allFactors(publishedRun().otf, 3)).series.front().name,
+              "the 3 heaviest of " + all + " tube cores with a weight");
+}
+
+TEST(ExplanationPlots, GiveCellsAndSurfaceTheSameColoursWithAndWithoutQuietVoxels) {
+    std::vector<std::vector<std::size_t>> colours;
+    for (const ExplainedRun* run : {&publishedRun(), &defaultRun()}) {
+        const Plot plot = intensityProfilePlot(run->explained(heaviestFirst(run->otf).front()));
+        const auto all = coloursOf(plot.series);
+        colours.emplace_back();
+        for (const char* name : {"means of cells", "surface"})
+            colours.back().push_back(all[static_cast<std::size_t>(&seriesOf(plot, name) - plot.series.data())]);
+        EXPECT_NE(colours.back()[0], colours.back()[1]);
+    }
+    EXPECT_EQ(colours[0], colours[1]);
 }
 
 TEST(ExplanationPlots, HoldTheValuesOfTheExplanation) {

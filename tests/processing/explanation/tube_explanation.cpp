@@ -100,12 +100,22 @@ TEST(TubeExplanation, OfTheRampAloneIsItsRampMixedWithTheRampForItsOwnSurface) {
     }
     const TubeExplanation mixed = defaultRun().explained(heaviestFirst(defaultRun().otf).front());
     const double aim = RampRule{}.aim;
+    // The ramp for every wall of this axis alone, read in the quiet voxels.
+    AxisProfile axis{{mixed.axis.shown.begin(), mixed.axis.shown.end()},
+                     mixed.tube.surfaceCell + (mixed.config.cells.size - 1) / 2.0};
+    axis.intensities.resize(static_cast<std::size_t>(axis.surface + missedUnits) + 1);
+    const TubeCore tube = curveTubeOf(defaultRun().otf, static_cast<std::size_t>(mixed.number));
+    const auto wall = rampForEveryWall({&axis, 1}, {&tube, 1});
+    ASSERT_TRUE(wall);
+    double largest = 0.0;
     for (std::size_t i = 0; i < mixed.initial.size(); ++i) {
-        const double ofWall = (mixed.alone.curve.opacities[i] - (1.0 - aim) * mixed.factor->values[i]) / aim;
-        ASSERT_GE(ofWall, -1e-9);
-        ASSERT_LE(ofWall, 1.0 + 1e-9);
+        const double x = AdaptiveOtf::intensityOf(i);
+        const double ofWall = wall->opacity * std::clamp((x - wall->begin) / (wall->end - wall->begin), 0.0, 1.0);
+        ASSERT_NEAR(mixed.alone.curve.opacities[i], (1.0 - aim) * mixed.factor->values[i] + aim * ofWall, 1e-6)
+            << "the profile is read in single precision";
+        largest = std::max(largest, std::abs(ofWall - mixed.factor->values[i]));
     }
-    EXPECT_NE(mixed.alone.curve.opacities, mixed.factor->values);
+    EXPECT_GT(largest, 0.05) << "the two ramps are not the same";
 }
 
 TEST(TubeExplanation, TellsWhichCellsWereRead) {
@@ -234,6 +244,33 @@ TEST(TubeExplanation, OfATubeCoreWithoutASurfaceStillHoldsItsFunction) {
                   static_cast<std::size_t>(explained.cells.tube.last - explained.cells.tube.first + 1));
     }
     EXPECT_GT(compared, 0);
+}
+
+TEST(TubeExplanation, ContrastsStandAtTheirBoundariesHoweverLittleFluidIsEnough) {
+    AdaptiveOtfConfig config;
+    config.grid.columns = 9;
+    config.grid.rows = 8;
+    AdaptiveOtfConfig little = config;
+    std::get<RatioRule>(little.detection).leastFluid = 1;
+    ASSERT_LT(1, config.cells.size / 2);
+    const AdaptiveOtf otf = *adaptOpacity(explainedScan(), {}, config),
+                      other = *adaptOpacity(explainedScan(), {}, little);
+    ASSERT_EQ(std::get<RatioRule>(config.detection).leastFluid, 8);
+    int compared = 0;
+    for (int number = 0; number < 72; number += 7) {
+        const TubeExplanation eight = *explainTube(explainedScan(), {}, otf, number);
+        const TubeExplanation one = *explainTube(explainedScan(), {}, other, number);
+        const IndexRange cells = eight.contrastCells;
+        if (cells.empty()) continue;
+        EXPECT_LE(one.contrastCells.first, cells.first);
+        EXPECT_EQ(one.contrastCells.last, cells.last);
+        for (int cell = cells.first; cell <= cells.last; ++cell)
+            ASSERT_EQ(one.tube.interfaceFunction[static_cast<std::size_t>(cell)],
+                      eight.tube.interfaceFunction[static_cast<std::size_t>(cell)])
+                << number << ' ' << cell;
+        ++compared;
+    }
+    EXPECT_GT(compared, 5);
 }
 
 TEST(TubeExplanation, RanksAreCountedAmongAllTubeCores) {
