@@ -37,6 +37,10 @@ bool MarkingPointer::press(const QMouseEvent& event) {
     m_taken = m_offer(event.position());
     m_pressedAt = event.position();
     m_pressedAtGlobal = event.globalPosition();
+    if (m_taken == Take::clickAlone && event.type() == QEvent::MouseButtonDblClick) {
+        m_taken = Take::no;
+        return false;
+    }
     if (m_taken == Take::drag) emit pressed(event.position());
     // The widget below must not take the second press for a double click.
     return m_taken == Take::drag || m_taken == Take::clickAlone ||

@@ -23,8 +23,8 @@ public:
                 ///< follow
         click,  ///< the press passes on, unless it is the second of a double click; clicked follows if the release is
                 ///< near the press, and moves near the press are taken
-        clickAlone,  ///< as click, but the watched object gets the press only if a drag follows: a click does nothing
-                     ///< there
+        clickAlone,  ///< as click, but the watched object gets the press only if a drag follows, or if it is the
+                     ///< second of a double click: a click does nothing there
     };
     using Offer = std::function<Take(const QPointF& pixel)>;
 

@@ -23,6 +23,7 @@
 #include "io/output/atomic_file.h"
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/designers/choice/designer.h"
+#include "processing/document/panes.h"
 #include "processing/explanation/tube_explanation.h"
 #include "processing/pane_picture/pane_caster.h"
 
@@ -133,7 +134,7 @@ Result<DocumentStudy> documentForOtf(const OtfOptions& options, const std::vecto
     auto read = readDocumentStudy(options.document.path, options.volume, outputs, options.document.view);
     if (!read) return read;
     const DesignerConfig* designer = designerConfigOf(read->document, read->pane);
-    if (designer == nullptr && !isAdaptive(read->document, read->pane))
+    if (designer == nullptr && !isAdaptive(read->document.panes.at(read->pane)))
         return fail(FailureKind::wrongUsage, options.document.path, "panes",
                     fmt::format("renders pane {} with the curve {}, which is not computed", read->pane + 1,
                                 otfNameOf(read->document, read->pane)),
@@ -149,13 +150,16 @@ std::string initialNameOf(const OtfOptions& options, const Document& document) {
     return options.document.path.empty() ? options.method.initial : std::string(nameOf(document.method.initial));
 }
 
-/// The picture of a pane with a curve in the place of its own, and its caption.
+/// The picture of a pane with a curve in the place of its own, and its caption. It is rendered directly: other modes
+/// have no curve.
 std::pair<Picture, std::string> pictureOf(const SampledCurve& curve, const DocumentStudy& made, PaneCaster& caster,
                                           std::string caption) {
     constexpr int side = 300;
     PaneOtf otf{.curve = curve};
     if (designerConfigOf(made.document, made.pane) != nullptr) otf.designed = Classification(curve);
-    return {caster.pictureWith(otf, made.document, made.pane, side, side, {}, PictureQuality::quick)->picture,
+    Document document = made.document;
+    document.scene.look.mode = RenderMode::direct;
+    return {caster.pictureWith(otf, document, made.pane, side, side, {}, PictureQuality::quick)->picture,
             std::move(caption)};
 }
 
@@ -180,7 +184,9 @@ Result<std::optional<Explained>> explainedOf(const OtfOptions& options, const Do
                                .pictures = {pictureOf(of.full.curve, made, caster, "All tube cores"),
                                             pictureOf(of.without.curve, made, caster, "Without this one"),
                                             pictureOf(of.alone.curve, made, caster, "This one alone")},
-                               .madeWith = {{"Light", std::string(nameOf(made.document.scene.look.lighting))}}};
+                               .lighting = made.document.scene.look.lighting,
+                               .phase = otfPhaseOf(made.document, made.pane, caster.phaseCount()),
+                               .phases = caster.phaseCount()};
     explained.page = explanationPage(page, of, otf);
     return explained;
 }
@@ -212,7 +218,7 @@ Result<void> computeOtf(const OtfOptions& options, const CLI::App& command, cons
     const auto begin = std::chrono::steady_clock::now();
     const auto voxels = *caster.otfVoxels(document, pane);
     context.quieteningMilliseconds = millisecondsSince(begin);
-    if (isAdaptive(document, pane)) {
+    if (isAdaptive(document.panes.at(pane))) {
         AdaptiveOtf otf = caster.readTubeCores(document, pane)->otf;
         const auto explained = explainedOf(options, *made, caster, voxels, otf, invocation.program);
         if (!explained) return tl::unexpected<Failure>(explained.error());

@@ -215,7 +215,7 @@ Result<DocumentStudy> openedForSweep(const SweepOptions& options, double aspect)
 /// Reads --document and its study. Fails (wrong usage) unless the pane is rendered with the adaptive OTF.
 Result<DocumentStudy> documentForSweep(const SweepOptions& options) {
     auto read = readDocumentStudy(options.document.path, options.volume, outputsOf(options), options.document.view);
-    if (!read || isAdaptive(read->document, read->pane)) return read;
+    if (!read || isAdaptive(read->document.panes.at(read->pane))) return read;
     return fail(FailureKind::wrongUsage, options.document.path, "panes",
                 fmt::format("renders pane {} with {}, and a sweep is of the adaptive OTF", read->pane + 1,
                             otfNameOf(read->document, read->pane)),

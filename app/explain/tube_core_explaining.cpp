@@ -46,7 +46,7 @@ std::shared_ptr<const ShownExplanation> explanationOf(const ComputedOtf& otf, in
 TubeCoreExplaining::TubeCoreExplaining(const Parts& parts, QObject* parent)
     : QObject(parent),
       m_parts(parts),
-      m_pictures(parts.model, parts.openStudy, parts.works, parts.panel),
+      m_pictures(parts.model, parts.openStudy, parts.works, parts.otfs, parts.panel),
       m_thread(parts.works, QStringLiteral("tube core"), {.urgency = Urgency::comparing}) {
     TubeCorePanel& panel = m_parts.panel;
     connect(&panel, &TubeCorePanel::chosen, &m_parts.choice, [this](int number) { m_parts.choice.choose(number); });
@@ -74,18 +74,19 @@ void TubeCoreExplaining::setSeen(bool seen) {
 
 void TubeCoreExplaining::follow() {
     const auto otf = m_parts.otfs.of(PaneOtfs::adaptiveOfScene);
-    const bool made = otf && otf->design.tubeCores;
-    if (m_seen && m_inPanel != (made ? otf : nullptr)) {
-        m_inPanel = made ? otf : nullptr;
-        m_parts.panel.setRun(made ? otf->design.tubeCores : nullptr);
+    const auto run = otf ? otf->design.tubeCores : nullptr;
+    const auto number = m_parts.choice.number();
+    // Also if nobody sees the panel: what it showed may be of a study that is gone.
+    if ((m_seen || !run) && m_inPanel != run) {
+        m_inPanel = run;
+        m_parts.panel.setRun(run);
     }
-    const auto wanted =
-        m_seen && made && m_parts.choice.number() ? std::optional(Asked{otf, *m_parts.choice.number()}) : std::nullopt;
+    if (!run || !number) show(nullptr);
+    const auto wanted = m_seen && run && number ? std::optional(Asked{otf, *number}) : std::nullopt;
     if (wanted == m_asked) return;
     m_asked = wanted;
     if (wanted) return explain(*wanted);
     m_thread.cancel();
-    if (!made || !m_parts.choice.number()) show(nullptr);
 }
 
 void TubeCoreExplaining::explain(const Asked& asked) {
@@ -125,9 +126,11 @@ void TubeCoreExplaining::tellWhatThePictureShows() {
     QString sentence;
     if (document.scene.look.mode != RenderMode::direct)
         sentence = tr("The picture is rendered without a curve. The panel explains the adaptive one.");
+    else if (isAdaptive(pane))
+        sentence.clear();
     else if (pane.designer)
         sentence = tr("The picture shows a designer's OTF. The panel explains the adaptive one.");
-    else if (pane.curve != CurveKind::adaptive)
+    else
         sentence =
             tr("The picture shows the %1 curve. The panel explains the adaptive one.").arg(curveName(pane.curve));
     m_parts.panel.setNote(sentence);

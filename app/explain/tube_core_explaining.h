@@ -64,8 +64,8 @@ private:
 
     Parts m_parts;
     bool m_seen = false;
-    std::shared_ptr<const ComputedOtf> m_inPanel;  ///< whose tube cores the panel lists
-    std::optional<Asked> m_asked;                  ///< shown, or being explained
+    std::shared_ptr<const AdaptiveOtf> m_inPanel;  ///< whose tube cores the panel lists; holds no voxels
+    std::optional<Asked> m_asked;                  ///< shown, or being explained; none while nobody sees the panel
     std::shared_ptr<const ShownExplanation> m_explanation;
     std::optional<double> m_milliseconds;
     TubeCorePictures m_pictures;

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "app/explain/newest_run.h"
 #include "app/explain/tube_core_explaining.h"
 #include "app/files/save_dialog.h"
 #include "app/pages/explanation_page.h"
@@ -58,10 +59,20 @@ void TubeCorePage::save(const QString& path) {
     const auto shown = m_parts.explaining.explanation();
     const auto source = curvePictureSource(m_parts.model.document(), m_parts.openStudy);
     if (!shown || !source || m_writing.busy()) return;
+    if (!isNewestRun(m_parts.otfs, shown->run))
+        return m_parts.messages.showMessage(
+            MessageKind::info,
+            tr("The newest curve is not explained yet, so no page was saved. Try it again once it is."),
+            MessageEnd::soon(pageTopic));
+    const OpenStudy& study = m_parts.openStudy;
+    const auto raw = m_parts.otfs.of(PaneOtfs::adaptiveOfScene)->asked.raw;
     const QString scan =
         m_parts.openStudy.isSimulatedScan() ? tr("simulated scan") : m_parts.names.nameOf(m_parts.openStudy.path());
     const ExplanationPage page{.scan = scan.toStdString(),
-                               .program = tr("Echolucent %1").arg(QApplication::applicationVersion()).toStdString()};
+                               .program = tr("Echolucent %1").arg(QApplication::applicationVersion()).toStdString(),
+                               .lighting = source->document.scene.look.lighting,
+                               .phase = study.phaseOfVoxels(*raw).value_or(study.phase()),
+                               .phases = static_cast<int>(study.study()->phases.size())};
     m_writing.begin(
         path,
         [file = path.toStdString(), page, shown, source = *source](const Progress& progress) {

@@ -13,6 +13,7 @@ class QWidget;
 namespace echolucent {
 
 class MessageBar;
+class PaneOtfs;
 class Settings;
 class StudyNames;
 class TubeCoreExplaining;
@@ -28,6 +29,7 @@ public:
         DocumentModel& model;
         OpenStudy& openStudy;
         Works& works;
+        const PaneOtfs& otfs;
         TubeCoreExplaining& explaining;
         Settings& settings;
         MessageBar& messages;
@@ -39,7 +41,8 @@ public:
 
     /// Asks for a file and saves the page there.
     void choose();
-    /// Does nothing if the panel shows no explanation or a page is being written.
+    /// Does nothing if the panel shows no explanation or a page is being written. Refuses with a message while the
+    /// document asks for a newer OTF than the one explained: the pictures would be of other curves than the plots.
     void save(const QString& path);
 
 private:

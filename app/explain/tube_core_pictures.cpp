@@ -3,7 +3,9 @@
 #include <new>
 #include <utility>
 
+#include "app/explain/newest_run.h"
 #include "app/study/freed_elsewhere.h"
+#include "app/study/voxels_now.h"
 #include "processing/pane_picture/small_picture.h"
 #include "widgets/casting/picture_image.h"
 
@@ -31,24 +33,18 @@ Document pictured(const Document& document, SpeckleReduction reduction) {
 }  // namespace
 
 std::optional<CurvePictureSource> curvePictureSource(const Document& document, const OpenStudy& openStudy) {
-    const Study* study = openStudy.study();
-    if (study == nullptr || openStudy.beginning()) return std::nullopt;
-    const QuietPhases& quiet = openStudy.quietPhases();
-    const int phase = openStudy.phase();
-    StudyPhases voxels{.scans = {study->phases[static_cast<std::size_t>(phase)]}};
-    if (auto made = quiet.of(phase)) {
-        voxels.quiet = {std::move(made)};
-        voxels.reduction = quiet.reduction();
-    }
+    if (openStudy.study() == nullptr || openStudy.beginning()) return std::nullopt;
+    StudyPhases voxels = voxelsNow(openStudy);
     return CurvePictureSource{pictured(document, voxels.reduction), std::move(voxels)};
 }
 
-TubeCorePictures::TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, Works& works, TubeCorePanel& panel,
-                                   QObject* parent)
+TubeCorePictures::TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, Works& works, const PaneOtfs& otfs,
+                                   TubeCorePanel& panel, QObject* parent)
     : QObject(parent),
       m_model(model),
       m_openStudy(openStudy),
       m_works(works),
+      m_otfs(otfs),
       m_panel(panel),
       m_work(works, {.countsForRest = false}),
       m_thread(works, QStringLiteral("tube core pictures"), {.countsForRest = false}) {
@@ -56,6 +52,7 @@ TubeCorePictures::TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, W
     connect(&m_model, &DocumentModel::changed, this, &TubeCorePictures::follow);
     connect(&m_openStudy, &OpenStudy::volumeChanged, this, &TubeCorePictures::follow);
     connect(&m_openStudy, &OpenStudy::quietVoxelsMade, this, &TubeCorePictures::follow);
+    connect(&m_otfs, &PaneOtfs::followed, this, &TubeCorePictures::follow);
     connect(&m_panel, &TubeCorePanel::grownChanged, this, &TubeCorePictures::follow);
 }
 
@@ -73,7 +70,7 @@ void TubeCorePictures::setExplanation(std::shared_ptr<const ShownExplanation> ex
 }
 
 std::optional<TubeCorePictures::Asked> TubeCorePictures::askedOf(int which) const {
-    if (!m_seen || !m_explanation) return std::nullopt;
+    if (!m_seen || !m_explanation || !isNewestRun(m_otfs, m_explanation->run)) return std::nullopt;
     auto source = curvePictureSource(m_model.document(), m_openStudy);
     if (!source) return std::nullopt;
     const TubeExplanation& explanation = *m_explanation->explanation;
@@ -91,8 +88,11 @@ void TubeCorePictures::follow() {
         auto asked = askedOf(which);
         if (which == m_making && asked != wanted) stale = true;
         wanted = std::move(asked);
-        if (m_explanation || !m_made[static_cast<std::size_t>(which)]) continue;
-        m_made[static_cast<std::size_t>(which)].reset();
+        auto& made = m_made[static_cast<std::size_t>(which)];
+        // An unseen picture keeps no volume that is gone from the window.
+        const bool gone = !m_explanation || (!m_seen && made && made->source.voxels != voxelsNow(m_openStudy));
+        if (!made || !gone) continue;
+        made.reset();
         m_panel.setPicture(static_cast<TubeCorePanel::Picture>(which), {});
     }
     if (stale || !m_seen) drop();

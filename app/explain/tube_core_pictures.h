@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/otf/pane_otfs.h"
 #include "app/study/open_study.h"
 #include "processing/pane_picture/pane_caster.h"
 #include "widgets/document/document_model.h"
@@ -27,14 +28,15 @@ struct CurvePictureSource {
                                                                    const OpenStudy& openStudy);
 
 /// Makes the pictures one after the other while a person sees the panel and no other work is under way, as
-/// PresetPictures does. While they are seen, keeps its own ray caster (RayCaster tells its size).
+/// PresetPictures does. Makes none while the document asks for a newer OTF than the one explained: the pictures before
+/// stay. While they are seen, keeps its own ray caster (RayCaster tells its size).
 class TubeCorePictures : public QObject {
     Q_OBJECT
 
 public:
     /// What the parameters refer to must outlive this object.
-    TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, Works& works, TubeCorePanel& panel,
-                     QObject* parent = nullptr);
+    TubeCorePictures(DocumentModel& model, OpenStudy& openStudy, Works& works, const PaneOtfs& otfs,
+                     TubeCorePanel& panel, QObject* parent = nullptr);
 
     /// Whether a person sees the pictures; at first nobody does.
     void setSeen(bool seen);
@@ -57,6 +59,7 @@ private:
     DocumentModel& m_model;
     OpenStudy& m_openStudy;
     Works& m_works;
+    const PaneOtfs& m_otfs;
     TubeCorePanel& m_panel;
     bool m_seen = false;
     std::shared_ptr<const ShownExplanation> m_explanation;

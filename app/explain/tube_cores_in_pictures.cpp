@@ -31,6 +31,7 @@ TubeCoresInPictures::TubeCoresInPictures(Parts parts, QObject* parent) : QObject
         connect(pointer, &MarkingPointer::clicked, this, [this, pane](const QPointF& at) {
             if (!pane->scene()) return;
             pane->setFocus(Qt::MouseFocusReason);
+            pane->passOver();
             choose(tubeCoreAt(pane->tubeCores(), pane->mapping(), at));
         });
     }

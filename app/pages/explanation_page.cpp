@@ -32,17 +32,39 @@ std::string frontText(const Viewpoint& view) {
     return view.frontPlane ? textOf(frontDepthMm(view)) + " mm behind the volume's foremost point" : "none";
 }
 
+std::string boxText(const OrientedBox& box) {
+    const Vec3 &size = box.sizeMm, &centre = box.centreMm;
+    return fmt::format("{:.1f} x {:.1f} x {:.1f} mm around ({:.1f}, {:.1f}, {:.1f}) mm of the grid", size[0], size[1],
+                       size[2], centre[0], centre[1], centre[2]);
+}
+
+std::string initialText(const OpacityCurve& initial) {
+    if (const auto* power = std::get_if<PowerCurve>(&initial))
+        return fmt::format("a x^{}, a = {}", power->exponent, textOf(power->scale));
+    if (const auto* linear = std::get_if<LinearCurve>(&initial))
+        return fmt::format("a (x - L_L) from L_L to L_H, a = {}, L_L = {:.3f}, L_H = {:.3f}", textOf(linear->slope),
+                           linear->lower, linear->upper);
+    if (const auto* manual = std::get_if<ManualCurve>(&initial))
+        return fmt::format("{} nodes of a person", manual->nodes.size());
+    return fmt::format("{} samples", std::get<SampledCurve>(initial).opacities.size());
+}
+
 Rows madeWithRows(const ExplanationPage& page, const TubeExplanation& explanation, const AdaptiveOtf& otf) {
     const auto reading = readingOf(otf.config);
     Rows rows;
     if (!page.scan.empty()) rows.push_back({"Scan", page.scan});
+    if (page.phases > 1) rows.push_back({"Phase", fmt::format("{} of {}", page.phase + 1, page.phases)});
     rows.push_back({"View", turnText(otf.view)});
     rows.push_back({"Front", frontText(otf.view)});
+    if (otf.view.box) rows.push_back({"Render box", boxText(*otf.view.box)});
     rows.push_back({"Speckle reduction", std::string(nameOf(otf.reduction))});
     rows.push_back({"Reading of the paper", reading ? std::string(nameOf(*reading)) : "its parameters were changed"});
     if (otf.lengthsHalved)
         rows.push_back({"Lengths", "halved, because the volume has few voxels: those below are the halved ones"});
-    for (const auto& [name, value] : page.madeWith) rows.push_back({name, value});
+    rows.push_back({"Initial function", initialText(explanation.config.initial)});
+    const std::vector<int>& never = explanation.config.grid.withoutTubes;
+    if (!never.empty()) rows.push_back({"Never placed", fmt::format("{}", fmt::join(never, ", "))});
+    if (!page.pictures.empty()) rows.push_back({"Light", std::string(nameOf(page.lighting))});
     rows.push_back({"Program", page.program});
     for (const auto& row : methodParameters()) {
         const auto value = row.get(explanation.config);

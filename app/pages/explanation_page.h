@@ -7,6 +7,7 @@
 
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "processing/explanation/tube_explanation.h"
+#include "processing/picture/lighting.h"
 #include "processing/picture/picture.h"
 
 namespace echolucent {
@@ -17,8 +18,8 @@ struct ExplanationPage {
     std::string program;  ///< name and version
     /// Pictures with their captions: of all tube cores, without this one, of it alone. May be empty.
     std::vector<std::pair<Picture, std::string>> pictures{};
-    /// More rows of the table of how it was made, name and value: the light, for instance.
-    std::vector<std::pair<std::string, std::string>> madeWith{};
+    Lighting lighting = Lighting::flat;  ///< of the pictures
+    int phase = 0, phases = 1;           ///< whose tube core it is, counted from 0, of how many
 };
 
 /// The file. It needs no other one and no network. `otf` is the run that was explained.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/study/freed_elsewhere.h"
+#include "app/study/voxels_now.h"
 #include "processing/pane_picture/small_picture.h"
 #include "widgets/casting/picture_image.h"
 
@@ -77,23 +78,8 @@ void PresetPictures::followRest() { m_works.atRest() ? makeNext() : drop(); }
 
 QImage PresetPictures::picture(int index) const { return m_entries.at(static_cast<std::size_t>(index)).picture; }
 
-/// The phase shown, with its quiet voxels if they are made already. At this size nobody sees whether voxels are quiet,
-/// so the pictures do not wait for quiet ones.
-StudyPhases PresetPictures::voxelsNow() const {
-    const Study* study = m_openStudy.study();
-    if (study == nullptr) return {};
-    const QuietPhases& quiet = m_openStudy.quietPhases();
-    const int phase = m_openStudy.phase();
-    StudyPhases voxels{.scans = {study->phases[static_cast<std::size_t>(phase)]}};
-    if (auto made = quiet.of(phase)) {
-        voxels.quiet = {std::move(made)};
-        voxels.reduction = quiet.reduction();
-    }
-    return voxels;
-}
-
 std::optional<PresetPictures::Asked> PresetPictures::askedOf(const Preset& preset) const {
-    Asked asked{pictured(withPreset(m_model.document(), firstPane, preset)), voxelsNow()};
+    Asked asked{pictured(withPreset(m_model.document(), firstPane, preset)), voxelsNow(m_openStudy)};
     if (asked.voxels.scans.empty()) return std::nullopt;
     asked.document.scene.look.reduction = asked.voxels.reduction;
     return asked;
@@ -103,7 +89,7 @@ void PresetPictures::follow() {
     for (Entry& entry : m_entries) {
         entry.wanted = m_seen ? askedOf(entry.preset) : std::nullopt;
         // An unseen picture keeps no volume that is gone from the window.
-        if (!m_seen && entry.made && entry.made->voxels != voxelsNow()) entry.made.reset();
+        if (!m_seen && entry.made && entry.made->voxels != voxelsNow(m_openStudy)) entry.made.reset();
     }
     const bool current =
         std::ranges::any_of(m_entries, [this](const Entry& entry) { return m_making && entry.wanted == m_making; });

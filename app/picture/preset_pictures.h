@@ -58,7 +58,6 @@ private:
     void followRest();
     void makeNext();
     void drop();
-    [[nodiscard]] StudyPhases voxelsNow() const;
     [[nodiscard]] std::optional<Asked> askedOf(const Preset& preset) const;
     [[nodiscard]] int next() const;
     void take(const Asked& asked, const QImage& picture);

@@ -160,7 +160,7 @@ void CurveAndPictureFiles::chooseAndSavePicture() {
 
 void CurveAndPictureFiles::copyPicture() {
     if (!m_parts.openStudy.volume() || !isThere(tr("copied"))) return;
-    const QImage image = pictureToSave(tr("copied"));
+    const QImage image = pictureToSave(m_parts.compared(), tr("copied"));
     if (image.isNull()) return;
     QApplication::clipboard()->setImage(image);
     const QString note = burnedInText();
@@ -188,8 +188,8 @@ QString CurveAndPictureFiles::burnedInText() const {
 }
 
 /// Null, with a message, while a compared pane is not final.
-QImage CurveAndPictureFiles::pictureToSave(const QString& what) {
-    if (const auto compared = m_parts.compared()) {
+QImage CurveAndPictureFiles::pictureToSave(const std::optional<QImage>& compared, const QString& what) {
+    if (compared) {
         if (compared->isNull())
             m_parts.messages.showMessage(
                 MessageKind::info,
@@ -202,8 +202,8 @@ QImage CurveAndPictureFiles::pictureToSave(const QString& what) {
 
 bool CurveAndPictureFiles::savePicture(const QString& path) {
     if (!isThere(tr("saved")) || !report(mayOverwrite(path), pictureTopic)) return false;
-    const QImage image = pictureToSave(tr("saved"));
-    const bool compared = m_parts.compared().has_value();
+    const auto compared = m_parts.compared();
+    const QImage image = pictureToSave(compared, tr("saved"));
     if (compared && image.isNull()) return false;
     if (!report(writePng(path.toStdString(), image.width(), image.height(), rgbBytesOf(image)), pictureTopic))
         return false;

@@ -69,7 +69,7 @@ public:
 
 private:
     /// The converged picture of the 3D view, with the measurements of its phase.
-    [[nodiscard]] QImage pictureToSave(const QString& what);
+    [[nodiscard]] QImage pictureToSave(const std::optional<QImage>& compared, const QString& what);
     /// A note to read before a picture of the study leaves the window; empty for none.
     [[nodiscard]] QString burnedInText() const;
     void chooseAndOpenCurve();

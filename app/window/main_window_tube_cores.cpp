@@ -25,8 +25,8 @@ void MainWindow::createTubeCores() {
     m_tubeCoreExplaining = std::make_unique<TubeCoreExplaining>(TubeCoreExplaining::Parts{
         m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreChoice, *m_widgets.tubeCores, *m_widgets.messages});
     m_tubeCorePage = std::make_unique<TubeCorePage>(TubeCorePage::Parts{
-        *this, m_document, m_openStudy, m_works, *m_tubeCoreExplaining, m_settings, *m_widgets.messages, m_names,
-        [this](const QString& what) { return m_files->proposedName(what); }});
+        *this, m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreExplaining, m_settings, *m_widgets.messages,
+        m_names, [this](const QString& what) { return m_files->proposedName(what); }});
     connect(m_widgets.tubeCores, &TubeCorePanel::pageRequested, m_tubeCorePage.get(), &TubeCorePage::choose);
     // A dock below another tab counts as visible, but nobody sees it.
     connect(&dockOf(*m_widgets.tubeCores), &QDockWidget::visibilityChanged, m_tubeCoreExplaining.get(),

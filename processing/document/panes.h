@@ -1,6 +1,7 @@
 // The panes of a document: how their number changes, and what is added.
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "processing/document/document.h"
@@ -10,6 +11,10 @@ namespace echolucent {
 /// Panes with the adaptive curve, the parabolic curve, the linear curve, and Levoy's OTF.
 [[nodiscard]] std::vector<Pane> standardPanes();
 
+/// Whether a pane is rendered with the adaptive OTF, be it as a curve or as a designer.
+[[nodiscard]] inline bool isAdaptive(const Pane& pane) {
+    return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer) : pane.curve == CurveKind::adaptive;
+}
 /// Whether there are several panes.
 [[nodiscard]] inline bool isCompared(const Document& document) { return document.panes.size() >= fewestPanes; }
 /// The document with these panes, one to mostPanes (else std::invalid_argument). How they are compared stays, as far as

@@ -131,6 +131,28 @@ TEST(OtfDocument, TakesASessionAndAPhase) {
     EXPECT_EQ(report["otf"], same["otf"]);
 }
 
+TEST(OtfDocument, ExplainsInDirectRenderingWhateverModeIsShown) {
+    const Folder folder;
+    Document document = everything();
+    document.study =
+        StudyFile{.path = phantomFile("moving.mha", "--size 56 --phases 3 --seed 4"), .options = {}, .checksum = {}};
+    document.scene.look.mode = RenderMode::maximum;
+    document.motion.otfPhase = 1;
+    const std::string page = folder / "core.html";
+    outputOf("otf" + given(folder, document) + "--explain 112 --page \"" + page + "\"");
+    const std::string text = contentsOf(page);
+    std::vector<std::string> pictures;
+    const std::string begin = "data:image/png;base64,";
+    for (auto at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+        pictures.push_back(text.substr(at, text.find('"', at) - at));
+    ASSERT_EQ(pictures.size(), 3u);
+    EXPECT_NE(pictures[0], pictures[2]) << "a tube core alone makes another picture than all";
+    for (const char* row :
+         {"<td>Phase</td><td>2 of 3</td>",
+          "<td>Render box</td><td>36.0 x 34.0 x 44.0 mm around (27.0, 25.0, 30.0) mm of the grid</td>"})
+        EXPECT_NE(text.find(row), std::string::npos) << row;
+}
+
 /// The frames of a movie that a sweep of the document writes, 64 by 48 pixels.
 std::vector<cv::Mat> sweptFrames(const Folder& folder, const Document& document, const std::string& options = {}) {
     const std::string movie = folder / "m.mkv";

@@ -99,6 +99,21 @@ TEST(Explain, APageOpensWithoutANetworkAndHoldsPlotsPicturesAndNumbers) {
     EXPECT_EQ(count(std::filesystem::path(smallFile()).parent_path().string()), 0u) << "no folder is named";
 }
 
+TEST(Explain, APageSaysPhaseInitialFunctionAndTubeCoresThatAreNeverPlaced) {
+    const Folder folder;
+    const std::string page = folder / "core.html";
+    const Outcome outcome =
+        runProgram("otf \"" + smallFile() + "\" " + explainedView +
+                   "--without-tube 7 --without-tube 30 --opacity-scale 0.5 --explain 40 --page \"" + page + "\"");
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const std::string text = contentsOf(page);
+    for (const char* row : {"<td>Never placed</td><td>7, 30</td>", "<td>Initial function</td><td>a x^2, a = 0.5</td>",
+                            "<td>Light</td><td>"})
+        EXPECT_NE(text.find(row), std::string::npos) << row;
+    for (const char* row : {"<td>Phase</td>", "<td>Render box</td>"})
+        EXPECT_EQ(text.find(row), std::string::npos) << row;
+}
+
 TEST(Explain, WithoutAFileItIsSaidInWords) {
     const Outcome outcome = runProgram("otf \"" + smallFile() + "\" " + explainedView + "--explain 40");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;

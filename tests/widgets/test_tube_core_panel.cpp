@@ -3,12 +3,15 @@
 #include <QCheckBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
+#include <array>
+#include <cstdlib>
 
 #include "processing/adaptive/adaptive_otf.h"
 #include "processing/adaptive/method_reading.h"
@@ -21,6 +24,7 @@
 #include "widgets/tube_cores/tube_core_list.h"
 #include "widgets/tube_cores/tube_core_map.h"
 #include "widgets/tube_cores/tube_core_panel.h"
+#include "widgets/tube_cores/tube_core_words.h"
 
 using namespace echolucent;
 
@@ -64,27 +68,54 @@ private slots:
     }
 
     void theMapTellsStatesApartWithoutColour() {
-        TubeCoreMap map;
-        map.resize(340, 206);
-        map.setRun(m_run);
-        const auto pictureOf = [&](int number) {
-            return map.grab(map.cellOf(number).toAlignedRect()).toImage().convertToFormat(QImage::Format_Grayscale8);
+        const auto pictureOf = [](TubeState state) {
+            QImage image(15, 15, QImage::Format_Grayscale8);
+            image.fill(Qt::black);
+            QPainter painter(&image);
+            painter.setRenderHint(QPainter::Antialiasing);
+            paintTubeCoreSign(painter, QRectF(1, 1, 13, 13), state, state == TubeState::weighs ? 0.5 : 0.0,
+                              coloursOf(Theme::dark));
+            painter.end();
+            return image;
         };
-        int heaviest = 0;
-        for (int t = 0; t < 225; ++t)
-            if (m_run->tubes[static_cast<std::size_t>(t)].d > m_run->tubes[static_cast<std::size_t>(heaviest)].d)
-                heaviest = t;
-        const auto firstOf = [&](TubeState state) {
+        const std::array states{TubeState::weighs, TubeState::weighsNothing, TubeState::noSurface, TubeState::outside,
+                                TubeState::neverPlaced};
+        for (std::size_t i = 0; i < states.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const QImage one = pictureOf(states[i]), other = pictureOf(states[j]);
+                int unlike = 0;  // pixels that a person tells apart
+                for (int y = 0; y < one.height(); ++y)
+                    for (int x = 0; x < one.width(); ++x)
+                        unlike += std::abs(qGray(one.pixel(x, y)) - qGray(other.pixel(x, y))) > 24 ? 1 : 0;
+                QVERIFY2(unlike >= 8, qPrintable(wordsOf(states[i]) + " and " + wordsOf(states[j])));
+            }
+    }
+
+    void aTubeCoreThatChangesNothingIsNotComparedAndSaysWhy() {
+        TubeCorePanel panel;
+        panel.setRun(m_run);
+        auto* compare = child<QPushButton>(panel, "tubeCores.compare");
+        const auto numberOf = [this](TubeState state) {
             for (int t = 0; t < 225; ++t)
                 if (stateOf(*m_run, t) == state) return t;
             return -1;
         };
-        const int none = firstOf(TubeState::noSurface);
-        QVERIFY(none >= 0);
-        QCOMPARE(firstOf(TubeState::neverPlaced), 3);
-        QVERIFY(pictureOf(heaviest) != pictureOf(none));
-        QVERIFY(pictureOf(3) != pictureOf(none));
-        QVERIFY(pictureOf(3) != pictureOf(heaviest));
+        for (const TubeState state : {TubeState::weighs, TubeState::noSurface}) {
+            QVERIFY(numberOf(state) >= 0);
+            panel.setChosen(numberOf(state));
+            QVERIFY(compare->isEnabled());
+            QVERIFY(!compare->toolTip().contains("already"));
+        }
+        panel.setChosen(3);
+        QVERIFY(!compare->isEnabled());
+        QVERIFY2(compare->toolTip().contains("never placed: the curve is made without it already."),
+                 qPrintable(compare->toolTip()));
+        AdaptiveOtf fewer = *m_run;
+        fewer.tubes[20] = TubeCore{};
+        panel.setRun(std::make_shared<const AdaptiveOtf>(fewer));
+        panel.setChosen(20);
+        QVERIFY(!compare->isEnabled());
+        QVERIFY2(compare->toolTip().contains("meets no data"), qPrintable(compare->toolTip()));
     }
 
     void theListSortsByNumbersAndFollowsTheChoiceSilently() {

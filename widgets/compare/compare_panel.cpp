@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "processing/adaptive/method_reading.h"
+#include "processing/document/panes.h"
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
@@ -74,11 +75,6 @@ int methodEntryOf(const Pane& choice) {
     const auto reading = readingOf(*choice.method);
     const auto found = reading ? std::ranges::find(readings, *reading) : readings.end();
     return found == readings.end() ? ownMethodEntry : static_cast<int>(found - readings.begin()) + 1;
-}
-
-bool isAdaptive(const Pane& choice) {
-    return choice.designer ? std::holds_alternative<AdaptiveConfig>(*choice.designer)
-                           : choice.curve == CurveKind::adaptive;
 }
 
 int entryOf(const Pane& choice) {

@@ -8,6 +8,7 @@
 
 #include "processing/adaptive/method_parameters.h"
 #include "processing/document/curve_adjustment.h"
+#include "processing/document/panes.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/value_slider.h"
 #include "widgets/controls/value_text.h"
@@ -15,10 +16,6 @@
 namespace echolucent {
 
 namespace {
-
-bool isAdaptive(const Pane& pane) {
-    return pane.designer ? std::holds_alternative<AdaptiveConfig>(*pane.designer) : pane.curve == CurveKind::adaptive;
-}
 
 /// Why nobody can set the aim; empty if a person can.
 QString whyNoAim(const Document& shown, bool comparing) {

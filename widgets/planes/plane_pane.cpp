@@ -211,6 +211,10 @@ void PlanePane::mouseDoubleClickEvent(QMouseEvent* event) {
     emit maximiseRequested();
 }
 
+void PlanePane::passOver() {
+    if (m_scene) m_beforeClick = m_scene->planes;
+}
+
 bool PlanePane::cancelDrag() {
     if (m_drag == Drag::none || !m_scene) return false;
     m_drag = Drag::none;

@@ -70,6 +70,8 @@ public:
     /// Dims what the pane shows, because another study is about to take its place.
     void setDimmed(bool dimmed);
     [[nodiscard]] bool dragging() const { return m_drag != Drag::none; }
+    /// A click that the pane does not get: a double click that it begins takes no planes back.
+    void passOver();
     /// Ends a drag without change. False if there is none.
     bool cancelDrag();
 

@@ -69,7 +69,7 @@ QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
     if (role == shareRole) return m_largest > 0.0 ? tube.d / m_largest : 0.0;
     if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
     const bool sorts = role == Qt::UserRole;
-    // Without a value a tube core stands behind all others.
+    // Without a value a tube core sorts as less than all others: first if they ascend, last if they descend.
     const auto shown = [sorts](const std::optional<double>& value, char format, int digits) -> QVariant {
         if (sorts) return value.value_or(-1.0);
         return value ? QLocale::c().toString(*value, format, digits) : QString();

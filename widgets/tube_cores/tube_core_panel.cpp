@@ -178,6 +178,7 @@ void TubeCorePanel::setChosen(std::optional<int> number) {
     m_list->setChosen(number);
     if (!number) setExplanation(nullptr);
     showWords();
+    enableCompare();
 }
 
 void TubeCorePanel::setExplanation(std::shared_ptr<const ShownExplanation> explanation) {
@@ -216,6 +217,15 @@ void TubeCorePanel::showWords() {
         words = tr("Click a tube core here, in the list or in a picture, and the panel explains it.");
     m_sentence->setText(words);
     m_sentence->setVisible(!words.isEmpty());
+}
+
+void TubeCorePanel::enableCompare() {
+    const bool there = m_run && m_chosen && static_cast<std::size_t>(*m_chosen) < m_run->tubes.size();
+    const TubeState state = there ? stateOf(*m_run, *m_chosen) : TubeState::outside;
+    enableOrSayWhy(*m_compare, state != TubeState::outside && state != TubeState::neverPlaced,
+                   state == TubeState::neverPlaced
+                       ? tr("The tube core is never placed: the curve is made without it already.")
+                       : tr("The tube core meets no data: the curve is the same without it."));
 }
 
 void TubeCorePanel::setNote(const QString& sentence) {

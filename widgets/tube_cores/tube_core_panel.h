@@ -73,6 +73,7 @@ private:
     void createExplanation();
     QWidget* createPictures();
     void showWords();
+    void enableCompare();
     void showFacts();
     void showGrown();
     void grow(int count);

@@ -12,14 +12,8 @@ QString tr(const char* text) { return QCoreApplication::translate("tubeCores", t
 }  // namespace
 
 QString wordsOf(TubeState state) {
-    switch (state) {
-        case TubeState::weighs: return tr("weighs");
-        case TubeState::weighsNothing: return tr("no weight");
-        case TubeState::noSurface: return tr("no surface");
-        case TubeState::outside: return tr("outside");
-        case TubeState::neverPlaced: return tr("never placed");
-    }
-    return {};
+    const std::string_view name = nameOf(state);
+    return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
 QString lineOf(const AdaptiveOtf& run, int number) {

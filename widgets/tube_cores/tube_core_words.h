@@ -7,7 +7,7 @@
 
 namespace echolucent {
 
-/// "weighs", "no weight", "no surface", "outside", "never placed".
+/// nameOf(state).
 [[nodiscard]] QString wordsOf(TubeState state);
 
 /// "Tube core 112: column 7, row 7, weighs, d 0.021".

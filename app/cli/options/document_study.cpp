@@ -207,12 +207,6 @@ ChosenBeam beamOf(const DocumentStudy& opened) {
     return {beam.axis, guess.sure ? std::string(nameOf(guess.evidence)) : "assumed", guess.confidence, guess.sentence};
 }
 
-bool isAdaptive(const Document& document, std::size_t pane) {
-    const DesignerConfig* designer = designerConfigOf(document, pane);
-    if (designer != nullptr) return std::holds_alternative<AdaptiveConfig>(*designer);
-    return document.panes.at(pane).curve == CurveKind::adaptive;
-}
-
 std::string otfNameOf(const Document& document, std::size_t pane) {
     const DesignerConfig* designer = designerConfigOf(document, pane);
     return std::string(designer != nullptr ? nameOf(designerOf(*designer)) : nameOf(document.panes.at(pane).curve));

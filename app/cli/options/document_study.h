@@ -65,8 +65,6 @@ constexpr const char* giveVolumeAlone = "Name a session that the window saved, o
 /// what was guessed. If the document was read: the source that it states.
 [[nodiscard]] ChosenBeam beamOf(const DocumentStudy& opened);
 
-/// Whether a pane is rendered with the adaptive OTF, be it as a curve or as a designer.
-[[nodiscard]] bool isAdaptive(const Document& document, std::size_t pane);
 /// What a pane is rendered with: the name of its designer or of its curve.
 [[nodiscard]] std::string otfNameOf(const Document& document, std::size_t pane);
 

@@ -20,6 +20,7 @@
 #include "processing/explanation/explanation_facts.h"
 #include "tests/app/planes/room_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/tube_cores/tube_core_list.h"
 #include "widgets/tube_cores/tube_core_map.h"
 #include "widgets/tube_cores/tube_core_panel.h"
@@ -45,6 +46,8 @@ private slots:
         QTRY_VERIFY(child("tubeCores")->isVisible());
         waitUntilIdle();
         QVERIFY(run()->tubesWithWeight > 20);
+        QVERIFY(!choice().shown() && !child<QAction>("room.tubeCores")->isChecked());
+        QVERIFY(overlay().discs.empty() && !pane("planes.a").tubeCores().marks);
     }
     void init() {
         choice().setShown(true);
@@ -53,7 +56,6 @@ private slots:
     void cleanupTestCase() { close(); }
 
     void theyAreShownOnlyOnRequest() {
-        QVERIFY(!child<QAction>("room.tubeCores")->isChecked() || choice().shown());
         choice().setShown(false);
         QVERIFY(overlay().discs.empty());
         QVERIFY(!pane("planes.a").tubeCores().marks);
@@ -122,6 +124,32 @@ private slots:
         QCOMPARE(window().document().steps().index(), steps + 1);
         window().document().steps().undo();
         QVERIFY(!choice().number());
+    }
+
+    void aDoubleClickOnATubeCoreGivesThePlaneTheWholeRoom() {
+        const TubeCoreMarks marks = *window().tubeCoresInPictures().marks();
+        PlanePane& plane = pane("planes.a");
+        const QSize before = plane.size();
+        const Planes planes = document().scene.planes;
+        const int steps = window().document().steps().index();
+        const PlaneView view = plane.mapping().view;
+        const auto mark = std::ranges::find_if(marks.marks, [&](const TubeCoreMark& each) {
+            const auto shown = shownInPlane(marks, each, view.centreMm, view.frame.forward);
+            return shown && shown->surfaceMm;
+        });
+        QVERIFY(mark != marks.marks.end());
+        const auto doubleClickOnIt = [&] {
+            const QPoint at = plane.mapping().seenAt(*mark->surfaceMm).toPoint();
+            QTest::mouseClick(&plane, Qt::LeftButton, {}, at);
+            QTest::mouseDClick(&plane, Qt::LeftButton, {}, at);
+        };
+        doubleClickOnIt();
+        QVERIFY(plane.width() > before.width() && plane.height() > before.height());
+        QCOMPARE(choice().number(), mark->number);
+        doubleClickOnIt();
+        QCOMPARE(plane.size(), before);
+        QCOMPARE(document().scene.planes, planes);
+        QCOMPARE(window().document().steps().index(), steps);
     }
 
     void aToolInTheHandGetsTheClick() {
@@ -237,6 +265,27 @@ private slots:
         QVERIFY(page.contains("fetus.mha"));
         for (const ExplanationFact& fact : window().tubeCoreExplaining().explanation()->facts)
             QVERIFY2(page.contains(QString::fromStdString(fact.value).toHtmlEscaped()), fact.value.c_str());
+        const std::string light(nameOf(document().scene.look.lighting));
+        QVERIFY2(page.contains(QString::fromStdString("<td>Light</td><td>" + light)), light.c_str());
+    }
+
+    void noPageIsSavedOfAnOlderCurve() {
+        const int number = heaviestFirst(*run()).front();
+        choice().choose(number);
+        tellsOf(number);
+        window().document().change("low reach", [](Document& next) { ++next.method.config.surface.lowReach; });
+        const QString path = temporaryFolder().filePath("older.html");
+        window().tubeCorePage().save(path);
+        QCOMPARE(child<MessageBar>("message")->text(),
+                 "The newest curve is not explained yet, so no page was saved. Try it again once it is.");
+        tellsOf(number);
+        waitUntilIdle();
+        QVERIFY(!QFile::exists(path));
+        window().tubeCorePage().save(path);
+        waitUntilIdle();
+        QVERIFY(QFile::exists(path));
+        window().document().steps().undo();
+        waitUntilIdle();
     }
 
     void theNoteSaysIfThePictureShowsAnotherCurve() {
@@ -246,6 +295,9 @@ private slots:
         QCOMPARE(note->text(), "The picture shows the parabolic curve. The panel explains the adaptive one.");
         window().document().steps().undo();
         QVERIFY(note->isHidden());
+        window().document().change("designer", [](Document& next) { next.panes[0].designer = AdaptiveConfig{}; });
+        QVERIFY2(note->isHidden(), "the designer's OTF is the adaptive one");
+        window().document().steps().undo();
         waitUntilIdle();
     }
 
@@ -261,6 +313,28 @@ private slots:
         open(m_other);
         QVERIFY(!choice().number());
         QVERIFY(!child("tubeCores.facts")->isVisible());
+        QVERIFY(child<QLabel>("tubeCores.sentence")->text().startsWith("Click a tube core"));
+    }
+
+    void anotherStudyOpenedWhileThePanelIsHiddenLeavesNothingOfTheOneBefore() {
+        const int number = heaviestFirst(*run()).front();
+        choice().choose(number);
+        tellsOf(number);
+        const auto* picture = child<QLabel>("tubeCores.picture.all");
+        QTRY_VERIFY(!picture->pixmap().isNull());
+        waitUntilIdle();
+        child<QDockWidget>("dock.tubeCores")->hide();
+        const std::weak_ptr<const Volume> before = window().openStudy().study()->phases.front();
+        QVERIFY(!before.expired());
+        open(m_file);
+        waitUntilIdle();
+        QTRY_VERIFY(before.expired());
+        QVERIFY(!window().tubeCoreExplaining().explanation());
+        child<QDockWidget>("dock.tubeCores")->show();
+        child<QDockWidget>("dock.tubeCores")->raise();
+        QTRY_VERIFY(child("tubeCores")->isVisible());
+        QVERIFY(!child("tubeCores.facts")->isVisible());
+        QVERIFY(picture->pixmap().isNull());
         QVERIFY(child<QLabel>("tubeCores.sentence")->text().startsWith("Click a tube core"));
     }
 
