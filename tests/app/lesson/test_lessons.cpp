@@ -182,8 +182,8 @@ private slots:
         QTRY_VERIFY(player().isDone());
         click("lessons.next");
         QVERIFY(!player().isDone());
-        QTRY_VERIFY(player().valueOf("measured.panes[1].never"));
-        QVERIFY(player().valueOf("measured.panes[1].never") == DocumentValue(0.0));
+        QTRY_VERIFY(player().measured("measured.panes[1].never"));
+        QVERIFY(player().measured("measured.panes[1].never") == DocumentValue(0.0));
         QVERIFY(!player().isDone());
     }
 
@@ -282,9 +282,9 @@ private slots:
         TubeCoreChoice& choice = window().tubeCoreChoice();
         enter(lesson);
         QVERIFY(!player().isDone());
-        QVERIFY(!player().valueOf("measured.tube_core"));
+        QVERIFY(!player().measured("measured.tube_core"));
         choice.choose(21);
-        QVERIFY(player().valueOf("measured.tube_core") == DocumentValue(21.0));
+        QVERIFY(player().measured("measured.tube_core") == DocumentValue(21.0));
         QVERIFY(!player().isDone());
         choice.choose(20);
         QVERIFY(player().isDone());
