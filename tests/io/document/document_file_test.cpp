@@ -138,7 +138,8 @@ TEST(DocumentFile, OnlyComparisonsWithColoursSaySo) {
 TEST(DocumentFile, OnlyPanesWithAMethodOrALinearCurveOfTheirOwnSaySo) {
     Document document = unusualDocument();
     const std::string before = jsonOf(document);
-    for (const auto& pane : nlohmann::ordered_json::parse(before)["panes"])
+    const auto object = nlohmann::ordered_json::parse(before);
+    for (const auto& pane : object["panes"])
         EXPECT_FALSE(pane.contains("method") || pane.contains("linear")) << pane.dump();
     const std::size_t second = 1;
     document.panes.resize(std::max(document.panes.size(), fewestPanes));
