@@ -9,7 +9,7 @@
 
 namespace echolucent {
 
-/// The most tube cores of which the 3D view shows a mark, so that the picture stays readable.
+/// The 3D view marks at most so many tube cores: the picture stays readable.
 inline constexpr std::size_t mostTubeCoresIn3d = 64;
 
 /// The tube cores that the 3D view marks: thinned() ones, and the chosen one if it has a mark.

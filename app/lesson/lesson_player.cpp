@@ -281,11 +281,12 @@ bool LessonPlayer::isDone() const {
 void LessonPlayer::look() {
     if (!m_lesson || isDone() || m_parts.openStudy.beginning()) return;
     const LessonCondition& until = *m_lesson->steps[m_step].until;
-    const std::vector<std::string> names = namesIn(until);
-    const auto values = valuesAt(m_parts.model.document(), names);
+    std::vector<std::string> paths = namesIn(until);
+    std::erase_if(paths, [](const std::string& name) { return isLessonMeasure(name); });
+    const auto values = valuesAt(m_parts.model.document(), paths);
     const auto valueOf = [&](std::string_view name) {
         if (isLessonMeasure(name)) return measured(name);
-        return values[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
+        return values[static_cast<std::size_t>(std::ranges::find(paths, name) - paths.begin())];
     };
     if (!holds(until, valueOf)) return;
     m_progress[m_step].done = true;
@@ -329,7 +330,7 @@ void LessonPlayer::standAside() {
     panel->raise();
 }
 
-/// The panel comes back where it was, and panels that were closed are closed again.
+/// Puts the panel back into its place, and closes the panels that a step has opened.
 void LessonPlayer::standBack() {
     for (const QPointer<QDockWidget>& each : std::exchange(m_opened, {}))
         if (each) each->hide();

@@ -153,7 +153,7 @@ QStringList lookSentences(const PictureFacts& facts) {
     return sentences;
 }
 
-/// From where the scan is seen, and where it begins.
+/// The view and the front.
 QStringList viewSentences(const PictureFacts& facts) {
     const Viewpoint shown = viewpointOf(facts.document);
     QStringList sentences;

@@ -238,6 +238,7 @@ Result<DocumentValue> valueAt(const Document& document, std::string_view path) {
 }
 
 std::vector<std::optional<DocumentValue>> valuesAt(const Document& document, const std::vector<std::string>& paths) {
+    if (paths.empty()) return {};
     ordered_json object = wholeObject(document);
     std::vector<std::optional<DocumentValue>> values;
     for (const std::string& path : paths) {

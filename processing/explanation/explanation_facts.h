@@ -16,7 +16,7 @@ struct ExplanationFact {
     std::string unit;      ///< e.g. "units"; empty for intensities, weights and counts
     std::string meaning;   ///< one sentence
     std::string equation;  ///< e.g. "d = d_max w_I w_S", or empty
-    std::string place;     ///< where it stands, e.g. "Petersch 2005, eq. 11"
+    std::string place;     ///< its source: "Petersch 2005, eq. 11"
 };
 
 /// The rows, in the order in which the method finds them. Which rows there are depends on the rules and on whether the

@@ -39,7 +39,7 @@ struct TubeFactor {
 /// A tube core of a run as its curve was made of it: status, d, I_L, I_H and the fluid's spread, in the voxels for
 /// which the curve is meant. Other fields are not set.
 [[nodiscard]] TubeCore curveTubeOf(const AdaptiveOtf& otf, std::size_t number);
-/// The rule by which a run's curve was made, for the voxels for which it is meant.
+/// The rule that made a run's curve: for quiet voxels quieterRule().
 [[nodiscard]] CurveRule curveRuleOf(const AdaptiveOtf& otf);
 /// The factor of such a tube core, with d > 0.
 [[nodiscard]] TubeFactor factorOf(const TubeCore& curveTube, int number, const CurveRule& rule);

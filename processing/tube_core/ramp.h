@@ -14,7 +14,7 @@ namespace echolucent {
 /// hides the fluid's haze and speckle. From I_L + end (I_H - I_L) on, or from leastRampWidth (I_H - I_L) behind its
 /// beginning on if that is later, it is 1. It is linear between. I_L and I_H of `tube` must be set.
 [[nodiscard]] double rampAt(double intensity, const TubeCore& tube, const RampRule& rule);
-/// Where that ramp begins and where it is full, intensities.
+/// The intensities at which that ramp begins and is full.
 struct RampEnds {
     double begin = 0.0, full = 0.0;
 };

@@ -45,18 +45,12 @@ protected:
 void TubeCoreListModel::setRun(std::shared_ptr<const AdaptiveOtf> run) {
     beginResetModel();
     m_run = std::move(run);
-    m_states.clear();
-    m_largest = 0.0;
-    if (m_run)
-        for (std::size_t t = 0; t < m_run->tubes.size(); ++t) {
-            m_states.push_back(stateOf(*m_run, static_cast<int>(t)));
-            m_largest = std::max(m_largest, m_run->tubes[t].d);
-        }
+    m_states = TubeCoreStates(m_run.get());
     endResetModel();
 }
 
 int TubeCoreListModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_states.size());
+    return parent.isValid() ? 0 : static_cast<int>(m_states.states.size());
 }
 
 int TubeCoreListModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
@@ -65,8 +59,8 @@ QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
     const auto place = static_cast<std::size_t>(index.row());
     const TubeCore& tube = m_run->tubes.at(place);
-    if (role == Qt::ToolTipRole && index.column() == state) return wordsOf(m_states[place]);
-    if (role == shareRole) return m_largest > 0.0 ? tube.d / m_largest : 0.0;
+    if (role == Qt::ToolTipRole && index.column() == state) return wordsOf(m_states.states[place]);
+    if (role == shareRole) return m_states.shares[place];
     if (role != Qt::DisplayRole && role != Qt::UserRole) return {};
     const bool sorts = role == Qt::UserRole;
     // Without a value a tube core sorts as less than all others: first if they ascend, last if they descend.
@@ -78,7 +72,9 @@ QVariant TubeCoreListModel::data(const QModelIndex& index, int role) const {
         case number: return index.row();
         case column: return tube.column;
         case row: return tube.row;
-        case state: return sorts ? QVariant(static_cast<int>(m_states[place])) : QVariant(wordsOf(m_states[place]));
+        case state:
+            return sorts ? QVariant(static_cast<int>(m_states.states[place]))
+                         : QVariant(wordsOf(m_states.states[place]));
         case low: return shown(tube.lowIntensity, 'f', 3);
         case high: return shown(tube.highIntensity, 'f', 3);
         case weight: return shown(tube.d > 0.0 ? std::optional(tube.d) : std::nullopt, 'f', 4);

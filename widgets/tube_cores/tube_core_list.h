@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "processing/explanation/tube_explanation.h"
+#include "widgets/tube_cores/tube_core_words.h"
 
 class QSortFilterProxyModel;
 
@@ -32,8 +33,7 @@ public:
 
 private:
     std::shared_ptr<const AdaptiveOtf> m_run;
-    std::vector<TubeState> m_states;
-    double m_largest = 0.0;  ///< d
+    TubeCoreStates m_states;
 };
 
 /// Object tubeCores.list. A click on a row, or the arrow keys, choose its tube core; a click on a heading sorts.

@@ -38,13 +38,7 @@ TubeCoreMap::TubeCoreMap(QWidget* parent) : QWidget(parent) {
 
 void TubeCoreMap::setRun(std::shared_ptr<const AdaptiveOtf> run) {
     m_run = std::move(run);
-    m_states.clear();
-    m_largest = 0.0;
-    if (m_run)
-        for (std::size_t t = 0; t < m_run->tubes.size(); ++t) {
-            m_states.push_back(stateOf(*m_run, static_cast<int>(t)));
-            m_largest = std::max(m_largest, m_run->tubes[t].d);
-        }
+    m_states = TubeCoreStates(m_run.get());
     update();
 }
 
@@ -157,10 +151,9 @@ void TubeCoreMap::paintEvent(QPaintEvent*) {
     if (all.isEmpty()) return;
     painter.fillRect(all.adjusted(-1, -1, 1, 1), colours.lineOfTable);
     painter.fillRect(all, colours.panel);
-    for (std::size_t t = 0; t < m_states.size(); ++t)
-        paintTubeCoreSign(painter, cellOf(static_cast<int>(t)), m_states[t],
-                          m_largest > 0.0 ? m_run->tubes[t].d / m_largest : 0.0, colours);
-    if (m_chosen && static_cast<std::size_t>(*m_chosen) < m_states.size()) {
+    for (std::size_t t = 0; t < m_states.states.size(); ++t)
+        paintTubeCoreSign(painter, cellOf(static_cast<int>(t)), m_states.states[t], m_states.shares[t], colours);
+    if (m_chosen && static_cast<std::size_t>(*m_chosen) < m_states.states.size()) {
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(colours.panel, 4.0));
         painter.drawRect(cellOf(*m_chosen));

@@ -8,6 +8,7 @@
 
 #include "processing/explanation/tube_explanation.h"
 #include "widgets/theme_colours.h"
+#include "widgets/tube_cores/tube_core_words.h"
 
 namespace echolucent {
 
@@ -53,8 +54,7 @@ private:
     void paintLegend(QPainter& painter) const;
 
     std::shared_ptr<const AdaptiveOtf> m_run;
-    std::vector<TubeState> m_states;  ///< of all tube cores of the run
-    double m_largest = 0.0;           ///< d
+    TubeCoreStates m_states;
     std::optional<int> m_chosen;
 };
 

@@ -1,5 +1,7 @@
 #include "widgets/tube_cores/tube_core_words.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QLocale>
 
@@ -10,6 +12,16 @@ namespace {
 QString tr(const char* text) { return QCoreApplication::translate("tubeCores", text); }
 
 }  // namespace
+
+TubeCoreStates::TubeCoreStates(const AdaptiveOtf* run) {
+    if (run == nullptr) return;
+    double largest = 0.0;
+    for (const TubeCore& tube : run->tubes) largest = std::max(largest, tube.d);
+    for (std::size_t t = 0; t < run->tubes.size(); ++t) {
+        states.push_back(stateOf(*run, static_cast<int>(t)));
+        shares.push_back(largest > 0.0 ? run->tubes[t].d / largest : 0.0);
+    }
+}
 
 QString wordsOf(TubeState state) {
     const std::string_view name = nameOf(state);
