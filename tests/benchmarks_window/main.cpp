@@ -14,6 +14,7 @@
 #include "tests/benchmarks_window/opening_time.h"
 #include "tests/benchmarks_window/report.h"
 #include "tests/benchmarks_window/room_under_test.h"
+#include "tests/benchmarks_window/tube_cores_under_test.h"
 #include "tests/benchmarks_window/window_under_test.h"
 
 using namespace echolucent;
@@ -43,7 +44,7 @@ Options parse(const QApplication& application) {
     parser.addOptions(
         {{"parts",
           "What is measured; \"edits\" is how soon an edit of the document is seen, \"opening\" how soon a volume is, "
-          "\"cine\" needs --volume of a 4D study.",
+          "\"tubes\" how soon a tube core is explained, \"cine\" needs --volume of a 4D study.",
           "NAME,NAME", "room,frames,stalls,movie"},
          {"sizes", "Edges of the picture in device pixels; panes of the room have the first.", "N,N", "512,1024"},
          {"seconds", "How long each action is measured.", "S", "4"},
@@ -59,7 +60,7 @@ Options parse(const QApplication& application) {
           "FILE"},
          {"large", "A volume's file in the place of the phantom of 512.", "FILE"},
          {"openings", "How often a volume is opened.", "N", "9"},
-         {"edits", "How often the document is edited, and undone.", "N", "40"},
+         {"edits", "How often the document is edited, and undone, and how many tube cores are explained.", "N", "40"},
          {"json", "Where the figures go.", "FILE", ECHOLUCENT_BENCH_FILE},
          {"pictures", "Saves what is seen in motion and at rest.", "FOLDER"}});
     parser.process(application);
@@ -116,6 +117,15 @@ void measureEdits(const Options& options, const QString& volume, int edge, const
         row.curve = "manual";
         row.edge = edge;
         row.shaded = options.shaded;
+        tell(row);
+    }
+}
+
+/// The explanation of tube cores in a window of 1280 x 720.
+void measureTubeCores(const Options& options, const QString& volume, const std::function<void(Row)>& tell) {
+    TubeCoresUnderTest window(volume);
+    for (Row row : {window.explain(std::max(1, options.edits)), window.grow(options.amount)}) {
+        row.curve = "adaptive";
         tell(row);
     }
 }
@@ -202,7 +212,8 @@ int main(int count, char** arguments) {
     const bool room = options.parts.contains("room"), frames = options.parts.contains("frames");
     const bool cine = options.parts.contains("cine"), edits = options.parts.contains("edits");
     if (cine && options.volume.isEmpty()) qFatal("the part \"cine\" needs --volume FILE of a 4D study");
-    if (room || frames || edits || cine) out << tableHeader() << '\n' << Qt::flush;
+    const bool tubes = options.parts.contains("tubes");
+    if (room || frames || edits || cine || tubes) out << tableHeader() << '\n' << Qt::flush;
     if (room) {
         const QString volume = phantom(roomVoxels, 8);
         forgetPeak();  // what making the phantom took
@@ -217,6 +228,7 @@ int main(int count, char** arguments) {
         const QString volume = options.volume.isEmpty() ? phantom(0, 8) : options.volume;
         for (const int edge : options.sizes) measureEdits(options, volume, edge, tell);
     }
+    if (tubes) measureTubeCores(options, options.volume.isEmpty() ? phantom(0, 8) : options.volume, tell);
     if (cine) {
         for (const int edge : options.sizes) {
             measureCine(options.volume, edge, options, findings, tell);

@@ -19,8 +19,9 @@ struct Amount {
 
 /// One line of the table: an action in a window, and its measures.
 struct Row {
-    /// "orbit", "edit", "light", "high quality", "edit in document", "undo in document", "first turn", "later turns" or
-    /// "from memory"; with all four panes "reference", "box" or "orbit in quad".
+    /// "orbit", "edit", "light", "high quality", "edit in document", "undo in document", "first turn", "later turns",
+    /// "from memory", "explain" or "grow" (TubeCoresUnderTest); with all four panes "reference", "box" or "orbit in
+    /// quad".
     QString action;
     QString curve;
     int edge = 0;  ///< edge of the picture, device pixels
