@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "processing/document/side_taking.h"
 #include "processing/volume/coarse_grid.h"
 #include "tests/processing/sides/hill.h"
@@ -128,11 +130,16 @@ TEST(OpeningFinds, TheCoarseVolumeOfALargeOneSaysTheSide) {
     VolumeGeometry geometry = gridOf({110, 560, 560}, {48.0 / 110, 48.0 / 560, 48.0 / 560});
     std::vector<std::uint8_t> voxels(static_cast<std::size_t>(geometry.voxelCount()));
     const auto near = [](std::int64_t at, std::int64_t size) { return at * voxelsOfEdge / size; };
+    std::vector<std::uint8_t> rows;  // of 110 voxels, of each y and z of the hill; most are taken several times
+    for (std::int64_t z = 0; z < voxelsOfEdge; ++z)
+        for (std::int64_t y = 0; y < voxelsOfEdge; ++y)
+            for (std::int64_t x = 0; x < 110; ++x)
+                rows.push_back(
+                    static_cast<std::uint8_t>(hill().storedValue(hill().geometry().offset(near(x, 110), y, z))));
     for (std::int64_t z = 0; z < 560; ++z)
         for (std::int64_t y = 0; y < 560; ++y)
-            for (std::int64_t x = 0; x < 110; ++x)
-                voxels[static_cast<std::size_t>(geometry.offset(x, y, z))] = static_cast<std::uint8_t>(
-                    hill().storedValue(hill().geometry().offset(near(x, 110), near(y, 560), near(z, 560))));
+            std::copy_n(rows.begin() + 110 * (near(z, 560) * voxelsOfEdge + near(y, 560)), 110,
+                        voxels.begin() + geometry.offset(0, y, z));
     const Volume large(geometry, std::move(voxels));
     const auto coarse = coarseVolumeOf(large);
     ASSERT_TRUE(coarse);

@@ -71,7 +71,7 @@ TEST(IntensityWarp, SlopesAreKeptWhateverTheHistogramsAre) {
         for (const auto& [least, largest] : {std::pair{0.25, 4.0}, {0.8, 1.5}, {1.0, 1.0}, {1.0 / 8.0, 8.0}})
             for (const Histogram& reference : all)
                 for (const Histogram& other : all) {
-                    if (takesSomeInputs && least != 0.25) continue;
+                    if (takesSomeInputs && (least != 0.25 || &reference == &other)) continue;
                     const IntensityWarp warp = findWarp(reference, other, rule(comparison, least, largest))->warp;
                     const double steps = static_cast<double>(warp.values.size() - 1);
                     for (std::size_t i = 1; i < warp.values.size(); ++i) {
