@@ -1,16 +1,14 @@
 #include "app/lesson/lesson_player.h"
 
-#include <QDockWidget>
 #include <QFileDialog>
 #include <QLocale>
 #include <QMainWindow>
-#include <QScrollArea>
-#include <QTimer>
 #include <algorithm>
 #include <utility>
 
 #include "app/compare/compare_room.h"
 #include "app/explain/tube_core_choice.h"
+#include "app/lesson/lesson_stage.h"
 #include "app/lesson/shipped_lessons.h"
 #include "app/motion/motion_player.h"
 #include "app/otf/pane_otfs.h"
@@ -49,8 +47,7 @@ std::optional<DocumentValue> measuredOf(const CompareRow& row, std::string_view 
 
 }  // namespace
 
-LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent)
-    : QObject(parent), m_parts(parts), m_outline(parts.window) {
+LessonPlayer::LessonPlayer(const Parts& parts, QObject* parent) : QObject(parent), m_parts(parts) {
     connectPanel();
     connect(&m_parts.openStudy, &OpenStudy::loadingBegun, this, [this] {
         if (!m_asking) m_entering.reset();
@@ -97,7 +94,7 @@ void LessonPlayer::connectPanel() {
     connect(&panel, &LessonsPanel::leaveRequested, this, &LessonPlayer::leave);
     connect(&panel, &LessonsPanel::nextRequested, this, &LessonPlayer::next);
     connect(&panel, &LessonsPanel::backRequested, this, &LessonPlayer::back);
-    connect(&panel, &LessonsPanel::skipRequested, this, &LessonPlayer::skip);
+    connect(&panel, &LessonsPanel::solveRequested, this, &LessonPlayer::solve);
     connect(&panel, &LessonsPanel::resetRequested, this, &LessonPlayer::reset);
     connect(&panel, &LessonsPanel::answeredRight, this, [this] { m_progress.at(m_step).answered = true; });
 }
@@ -162,7 +159,7 @@ void LessonPlayer::begin() {
     m_lesson = std::exchange(m_entering, std::nullopt);
     m_progress.assign(m_lesson->steps.size(), {});
     m_parts.chooseFace(Face::teach);
-    standAside();
+    m_parts.stage.enter();
     goTo(0, std::nullopt);
     emit playingChanged(true);
 }
@@ -198,8 +195,7 @@ void LessonPlayer::end() {
     m_progress.clear();
     m_step = 0;
     m_leaving = false;
-    m_outline.lieAround(nullptr);
-    standBack();
+    m_parts.stage.leave();
     m_parts.panel.showList();
     emit playingChanged(false);
 }
@@ -207,26 +203,32 @@ void LessonPlayer::end() {
 void LessonPlayer::next() {
     if (!m_lesson) return;
     if (m_step + 1 == m_lesson->steps.size()) return leave();
-    const LessonStep& following = m_lesson->steps[m_step + 1];
-    goTo(m_step + 1, following.set);
+    const std::optional<Document>& set = m_lesson->steps[m_step + 1].set;
+    if (!isDone()) set ? chooseTubeCore() : solve();
+    goTo(m_step + 1, set);
 }
 
 void LessonPlayer::back() {
     if (m_lesson && m_step > 0) goTo(m_step - 1, m_progress.at(m_step - 1).began);
 }
 
-void LessonPlayer::skip() {
+void LessonPlayer::solve() {
     if (!m_lesson) return;
-    const LessonStep& step = m_lesson->steps.at(m_step);
-    if (step.solved) show(*step.solved);
-    if (step.until && step.until->kind == ConditionKind::equal && step.until->name == tubeCoreName)
-        if (const auto* number = std::get_if<double>(&step.until->value))
-            m_parts.tubeCore.choose(static_cast<int>(*number));
-    next();
+    if (const auto& solved = m_lesson->steps.at(m_step).solved) show(*solved);
+    chooseTubeCore();
+}
+
+/// The one that the step asks for, if it does.
+void LessonPlayer::chooseTubeCore() {
+    const auto& until = m_lesson->steps.at(m_step).until;
+    if (until && until->kind == ConditionKind::equal && until->name == tubeCoreName)
+        if (const auto* number = std::get_if<double>(&until->value)) m_parts.tubeCore.choose(static_cast<int>(*number));
 }
 
 void LessonPlayer::reset() {
-    if (m_lesson && m_progress.at(m_step).began) show(*m_progress[m_step].began);
+    if (!m_lesson || !m_progress.at(m_step).began) return;
+    show(*m_progress[m_step].began);
+    m_parts.stage.resetStep();
 }
 
 void LessonPlayer::goTo(std::size_t step, const std::optional<Document>& document) {
@@ -238,7 +240,7 @@ void LessonPlayer::goTo(std::size_t step, const std::optional<Document>& documen
         show(*set);
     m_progress.at(step).began = m_parts.model.ownDocument();
     showPage();
-    lookAt(words(m_lesson->steps[step].lookAt));
+    m_parts.stage.beginStep(words(m_lesson->steps[step].lookAt));
     look();
     emit stepChanged(step);
 }
@@ -308,60 +310,6 @@ std::optional<DocumentValue> LessonPlayer::measured(std::string_view name) const
     if (!otf || !m_parts.otfs.isNewest(PaneOtfs::adaptiveOfScene)) return std::nullopt;
     return DocumentValue(
         static_cast<double>(name == "measured.tubes" ? otf->tubesMeetingVolume : otf->tubesWithWeight));
-}
-
-QDockWidget* LessonPlayer::dock() const {
-    for (QWidget* around = &m_parts.panel; around != nullptr; around = around->parentWidget())
-        if (auto* dock = qobject_cast<QDockWidget*>(around)) return dock;
-    return nullptr;
-}
-
-void LessonPlayer::standAside() {
-    QDockWidget* panel = dock();
-    if (panel == nullptr) return;
-    if (!m_place && !panel->isFloating()) {
-        const QList<QDockWidget*> beside = m_parts.window.tabifiedDockWidgets(panel);
-        m_place = Place{m_parts.window.dockWidgetArea(panel), panel->isHidden(), beside.value(0)};
-        constexpr int width = 300;  // pixels; at 1280 the picture keeps 640
-        m_parts.window.addDockWidget(Qt::LeftDockWidgetArea, panel);
-        m_parts.window.resizeDocks({panel}, {width}, Qt::Horizontal);
-    }
-    panel->show();
-    panel->raise();
-}
-
-/// Puts the panel back into its place, and closes the panels that a step has opened.
-void LessonPlayer::standBack() {
-    for (const QPointer<QDockWidget>& each : std::exchange(m_opened, {}))
-        if (each) each->hide();
-    QDockWidget* panel = dock();
-    const std::optional<Place> place = std::exchange(m_place, std::nullopt);
-    if (panel == nullptr || !place) return;
-    if (!panel->isFloating()) {
-        m_parts.window.addDockWidget(place->area, panel);
-        if (place->beside && !place->beside->isFloating()) m_parts.window.tabifyDockWidget(place->beside, panel);
-    }
-    panel->setVisible(!place->hidden);
-    if (!place->hidden) panel->raise();
-}
-
-/// Brings a control into view and outlines it.
-void LessonPlayer::lookAt(const QString& name) {
-    auto* target = name.isEmpty() ? nullptr : m_parts.window.findChild<QWidget*>(name);
-    for (QWidget* around = target; around != nullptr; around = around->parentWidget()) {
-        auto* dock = qobject_cast<QDockWidget*>(around);
-        if (dock == nullptr) continue;
-        if (dock->isHidden()) m_opened.emplace_back(dock);
-        dock->show();
-        dock->raise();
-    }
-    m_outline.lieAround(target);
-    if (target == nullptr) return;
-    // What the step sets may make rows and plots above the target, which get their places with the next events.
-    QTimer::singleShot(0, target, [target] {
-        for (QWidget* around = target; around != nullptr; around = around->parentWidget())
-            if (auto* scroll = qobject_cast<QScrollArea*>(around)) scroll->ensureWidgetVisible(target);
-    });
 }
 
 }  // namespace echolucent

@@ -12,15 +12,14 @@
 #include "app/settings/face.h"
 #include "app/study/open_study.h"
 #include "processing/lesson/lesson.h"
-#include "widgets/lesson/lesson_outline.h"
 
-class QDockWidget;
 class QMainWindow;
 
 namespace echolucent {
 
 class ComparePanel;
 class CompareRoom;
+class LessonStage;
 class LessonsPanel;
 class MessageBar;
 class MotionPlayer;
@@ -54,6 +53,7 @@ public:
         ShownStudy& shown;
         SessionKeeping& sessions;
         LessonsPanel& panel;
+        LessonStage& stage;
         MessageBar& messages;
         std::function<Face()> face;
         std::function<void(Face)> chooseFace;
@@ -80,10 +80,12 @@ public:
     /// Whether the present step's condition has held since the step began, or it has none.
     [[nodiscard]] bool isDone() const;
 
+    /// Goes on. A step whose task is not done is solved first: what follows begins with what it makes.
     void next();
     void back();
-    /// Solves the step by its document, or by the choice of the tube core that it asks for, and goes on.
-    void skip();
+    /// Solves the step by its document, or by the choice of the tube core that it asks for. The step stays, so that a
+    /// class sees what was done.
+    void solve();
     /// Sets the document as it was when the step began.
     void reset();
 
@@ -116,12 +118,8 @@ private:
     void goTo(std::size_t step, const std::optional<Document>& document);
     void show(const Document& document);
     void showPage();
+    void chooseTubeCore();
     void look();
-    void lookAt(const QString& name);
-    /// The panel stands left of the picture while a lesson is played: its words are seen beside any other panel.
-    void standAside();
-    void standBack();
-    [[nodiscard]] QDockWidget* dock() const;
 
     Parts m_parts;
     std::optional<std::vector<Lesson>> m_lessons;
@@ -131,17 +129,8 @@ private:
     std::optional<Lesson> m_lesson;
     bool m_leaving = false;          ///< once the study that is being loaded will not come
     std::optional<Before> m_before;  ///< while the lesson's document is shown, or that of a lesson that has ended
-    /// Where the panel was before the lesson.
-    struct Place {
-        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
-        bool hidden = false;
-        QPointer<QDockWidget> beside;  ///< a panel behind whose tab it was
-    };
-    std::optional<Place> m_place;
-    std::vector<QPointer<QDockWidget>> m_opened;  ///< panels that a step has shown, and that were closed before
     std::size_t m_step = 0;
     std::vector<Progress> m_progress;
-    LessonOutline m_outline;
 };
 
 }  // namespace echolucent

@@ -318,11 +318,7 @@ void MainWindow::createActions() {
     m_faces = std::make_unique<WindowFaces>(
         WindowFaces::Parts{*this, m_settings, *m_widgets.status, *m_widgets.controls, *m_widgets.motion});
     createToolBar({*this, m_document, m_openStudy, *m_faces, dockOf(*m_widgets.editor)});
-    m_lessons = std::make_unique<LessonPlayer>(LessonPlayer::Parts{
-        *this, m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreChoice, m_motionPlayer, *m_compare,
-        *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_widgets.messages,
-        [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
-    connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
+    createLessons();
 }
 
 void MainWindow::countLeftUnsaved() {

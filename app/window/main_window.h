@@ -32,6 +32,7 @@ class EditorOtfs;
 class FullScreen;
 class HistoryControls;
 class LessonPlayer;
+class LessonStage;
 class LoadingPicture;
 class MovieFiles;
 class NearCutFinder;
@@ -134,6 +135,7 @@ private:
     /// The strip of sides is seen if it is wanted, beside the panes of the review room alone.
     void followStrip();
     void createTubeCores();
+    void createLessons();
     void connectUnits();
     void connectCaption();
     void connectExplanation();
@@ -198,6 +200,7 @@ private:
     std::unique_ptr<TubeCoreExplaining> m_tubeCoreExplaining;
     std::unique_ptr<TubeCorePage> m_tubeCorePage;
     std::unique_ptr<WindowFaces> m_faces;
+    std::unique_ptr<LessonStage> m_lessonStage;
     std::unique_ptr<LessonPlayer> m_lessons;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown

@@ -1,5 +1,6 @@
 #include "widgets/lesson/lessons_panel.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,6 +11,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -157,18 +159,19 @@ QWidget* LessonsPanel::createButtons() {
     auto* row = new QHBoxLayout;
     m_back = tool(tr("Back"), "lessons.back", tr("Goes to the step before, as it was when it began"), buttons);
     m_reset = tool(tr("Reset"), "lessons.reset", tr("Sets everything as it was when this step began"), buttons);
-    m_skip = tool(tr("Skip"), "lessons.skip", tr("Does this step for you and goes on"), buttons);
-    m_next = named(new QPushButton(tr("Next"), buttons), "lessons.next", tr("Next step"), tr("Goes to the next step"));
+    m_solve = tool(tr("Do it for me"), "lessons.skip", tr("Does what the step asks for, and stays"), buttons);
+    m_next = named(new QPushButton(tr("Next"), buttons), "lessons.next", tr("Next step"),
+                   tr("Goes to the next step. If this one is not done, does it first"));
     row->addWidget(m_back);
     row->addWidget(m_reset);
-    row->addWidget(m_skip);
+    row->addWidget(m_solve);
     row->addStretch(1);
     row->addWidget(m_next);
     column->addWidget(m_done);
     column->addLayout(row);
     connect(m_back, &QToolButton::clicked, this, &LessonsPanel::backRequested);
     connect(m_reset, &QToolButton::clicked, this, &LessonsPanel::resetRequested);
-    connect(m_skip, &QToolButton::clicked, this, &LessonsPanel::skipRequested);
+    connect(m_solve, &QToolButton::clicked, this, &LessonsPanel::solveRequested);
     connect(m_next, &QPushButton::clicked, this, &LessonsPanel::nextRequested);
     return buttons;
 }
@@ -206,7 +209,7 @@ void LessonsPanel::showPage(const LessonPage& page) {
     showAnswers(page);
     m_back->setEnabled(page.number > 1);
     m_next->setText(page.number == page.count ? tr("Finish") : tr("Next"));
-    m_skip->setVisible(page.task);
+    m_solve->setVisible(page.task);
     showWhatIsDone();
     m_pages->setCurrentIndex(1);
     m_scroll->verticalScrollBar()->setValue(0);
@@ -227,6 +230,7 @@ void LessonsPanel::showAnswers(const LessonPage& page) {
         m_answerRows->addWidget(row);
         row->show();
     }
+    showLetters(*m_answers);
     m_answers->setVisible(!page.answers.isEmpty());
     m_verdict->setVisible(page.answered);
     m_verdict->setText(page.answered ? tr("Right.") : QString());
@@ -241,10 +245,29 @@ void LessonsPanel::answer(int place) {
     m_verdict->setText(right ? tr("Right.") : tr("No. Look once more."));
     m_verdict->show();
     m_explanation->setVisible(right && !m_page.explanation.isEmpty());
+    // The words get their places with the next events.
+    QTimer::singleShot(0, this, [this] {
+        if (m_explanation->isVisible()) m_scroll->ensureWidgetVisible(m_explanation);
+        m_scroll->ensureWidgetVisible(m_verdict);
+    });
     if (!right || m_page.answered) return;
     m_page.answered = true;
     showWhatIsDone();
     emit answeredRight();
+}
+
+void LessonsPanel::setLetters(double times) {
+    m_letters = times;
+    showLetters(*this);
+}
+
+/// Under a style sheet no widget takes over the font of the one around it.
+void LessonsPanel::showLetters(QWidget& inside) const {
+    for (QWidget* each : inside.findChildren<QWidget*>()) {
+        QFont font = each->font();
+        font.setPointSizeF(QApplication::font().pointSizeF() * m_letters);
+        each->setFont(font);
+    }
 }
 
 void LessonsPanel::setDone(bool done) {

@@ -54,6 +54,9 @@ public:
     void showPage(const LessonPage& page);
     /// Whether the step that is shown is done.
     void setDone(bool done);
+    /// Letters are so many times as large as those of the application, 1 at first.
+    void setLetters(double times);
+    [[nodiscard]] double letters() const { return m_letters; }
 
 signals:
     /// The panel is seen for the first time, and needs its list.
@@ -64,7 +67,7 @@ signals:
     void leaveRequested();
     void nextRequested();
     void backRequested();
-    void skipRequested();
+    void solveRequested();
     void resetRequested();
     /// The question was answered right.
     void answeredRight();
@@ -81,15 +84,17 @@ private:
     void answer(int place);
     void showEntry(int lesson);
     void showWhatIsDone();
+    void showLetters(QWidget& inside) const;
 
     QList<LessonEntry> m_lessons;
     LessonPage m_page;
     bool m_asked = false;  ///< for the list
+    double m_letters = 1.0;
     QStackedWidget* m_pages;
     QListWidget* m_list = nullptr;
     QLabel *m_summary = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_progress = nullptr, *m_done = nullptr;
     QPushButton *m_begin = nullptr, *m_next = nullptr;
-    QToolButton *m_back = nullptr, *m_skip = nullptr, *m_reset = nullptr, *m_hint = nullptr;
+    QToolButton *m_back = nullptr, *m_solve = nullptr, *m_reset = nullptr, *m_hint = nullptr;
     QScrollArea* m_scroll = nullptr;
     LessonTextView *m_text = nullptr, *m_hintText = nullptr, *m_question = nullptr, *m_explanation = nullptr;
     QLabel* m_verdict = nullptr;

@@ -14,6 +14,8 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/lesson_text_view.h"
 #include "widgets/lesson/lessons_panel.h"
+#include "widgets/planes/pane_grid.h"
+#include "widgets/theory/theory_panel.h"
 
 using namespace echolucent;
 
@@ -135,7 +137,10 @@ private slots:
         QVERIFY(document().panes[0].curve == CurveKind::linear);
 
         const int before = model.steps().count();
-        click("lessons.skip");  // solves the step, and the next one sets two panes
+        click("lessons.skip");
+        QCOMPARE(player().step(), std::size_t{1});  // a class sees what was done
+        QVERIFY(document().panes[0].curve == CurveKind::parabolic);
+        click("lessons.next");
         QCOMPARE(player().step(), std::size_t{2});
         QCOMPARE(model.steps().count(), before + 2);
         QVERIFY(window().compareRoom().shown());
@@ -293,9 +298,63 @@ private slots:
 
         click("lessons.next");
         click("lessons.back");
+        choice.choose(21);
         click("lessons.skip");
         QCOMPARE(choice.number(), std::optional(20));
-        QCOMPARE(player().step(), std::size_t{1});
+        QCOMPARE(player().step(), std::size_t{0});
+        waitUntilIdle();
+    }
+
+    /// As it was in the window, which no document holds.
+    void theStageIsGivenBack() {
+        open(m_file);
+        auto& panes = *window().findChild<PaneGrid*>();
+        auto& theory = *child<TheoryPanel>("theory");
+        panes.setPaneLayout(PaneLayout::large3d);
+        window().tubeCoreChoice().setShown(true);
+        TheorySetting own;
+        own.scale = 1.75;
+        theory.setSetting(own);
+        enter(smallLesson());
+        QCOMPARE(panes.paneLayout(), PaneLayout::only3d);
+        QVERIFY(!window().tubeCoreChoice().shown());
+        QVERIFY(theory.setting() == TheorySetting{});
+        click("lessons.next");
+        panes.setPaneLayout(PaneLayout::quad);
+        window().tubeCoreChoice().setShown(true);
+        TheorySetting changed;
+        changed.scale = 0.5;
+        theory.setSetting(changed);
+        click("lessons.reset");
+        QVERIFY(theory.setting() == TheorySetting{});
+        theory.setSetting(changed);
+        player().leave();
+        QCOMPARE(panes.paneLayout(), PaneLayout::large3d);
+        QVERIFY(window().tubeCoreChoice().shown());
+        QVERIFY(theory.setting() == own);
+        waitUntilIdle();
+    }
+
+    /// For the last row of a class.
+    void onTheFullScreenTheWordsStayAndAreLarger() {
+        window().resize(1600, 1000);
+        enter(smallLesson());
+        const auto* words = child("lessons.text");
+        const QFont font = words->font();
+        const auto toggle = [&] { QTest::keyClick(&window(), Qt::Key_F); };
+        toggle();
+        QTRY_VERIFY(words->isVisible() && child("dock.view")->isHidden());
+        QVERIFY(words->font().pointSizeF() > 1.4 * font.pointSizeF());
+        QTRY_VERIFY(child("lessons")->width() > 400);
+        click("lessons.next");  // the step looks at a button of the curve's panel
+        QTRY_VERIFY(child("otfEditor.active.parabolic")->isVisible());
+        child<QAbstractButton>("otfEditor.active.parabolic")->click();
+        click("lessons.next");  // looks at nothing
+        QTRY_VERIFY(!child("otfEditor.active.parabolic")->isVisible());
+        toggle();
+        QTRY_VERIFY(!child("dock.view")->isHidden());
+        QCOMPARE(words->font().pointSizeF(), font.pointSizeF());
+        QVERIFY(words->isVisible());
         waitUntilIdle();
     }
 

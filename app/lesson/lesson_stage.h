@@ -1,0 +1,88 @@
+// What of the window a lesson uses, and gives back: places of panels, letters, layout, and state that no document
+// holds.
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <QPointer>
+#include <optional>
+
+#include "processing/theory/contrast_course.h"
+#include "widgets/lesson/lesson_outline.h"
+#include "widgets/planes/pane_grid.h"
+
+class QDockWidget;
+class QMainWindow;
+
+namespace echolucent {
+
+class LessonsPanel;
+class TheoryPanel;
+class TubeCoreChoice;
+
+/// While a lesson is played, its panel stands left of the picture, so that its words are seen beside any other panel.
+/// On the full screen the panel stays, in letters that the last row of a class can read, and beside it stand only the
+/// picture and what the step looks at.
+class LessonStage : public QObject {
+    Q_OBJECT
+
+public:
+    struct Parts {
+        QMainWindow& window;
+        LessonsPanel& panel;
+        PaneGrid& panes;
+        TubeCoreChoice& tubeCore;
+        TheoryPanel& theory;
+        QWidget& motion;    ///< the bar below the picture, which the full screen hides
+        QWidget& controls;  ///< the panel that is in front beside a lesson, until a step looks at another one
+    };
+    /// What the parts refer to must outlive this object.
+    explicit LessonStage(const Parts& parts, QObject* parent = nullptr);
+
+    /// A lesson begins: keeps what it may change, and sets that as at a first start.
+    void enter();
+    /// The lesson has ended: all is as enter() found it.
+    void leave();
+
+    /// A step begins: brings the control that it looks at into view, with the panel that it stands in, and outlines it.
+    /// An empty name, or one that nothing has, outlines nothing.
+    void beginStep(const QString& lookAt);
+    /// Sets what no document holds as it was when the step began.
+    void resetStep();
+    /// The window shows the picture alone on the whole screen, or no longer.
+    void setFullScreen(bool full);
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    /// Where the panel was before the lesson.
+    struct Place {
+        Qt::DockWidgetArea area = Qt::RightDockWidgetArea;
+        bool hidden = false;
+        QPointer<QDockWidget> beside;  ///< a panel behind whose tab it was
+    };
+    /// Not in the document.
+    struct Before {
+        PaneLayout layout = PaneLayout::only3d;
+        bool tubeCoresShown = false;
+        TheorySetting theory;
+    };
+    void lookAt(const QString& name);
+    void standAside();
+    void standBack();
+    void scrollToTarget();
+    void takeLent();
+    void setWidth();
+    [[nodiscard]] QDockWidget* dock() const;
+
+    Parts m_parts;
+    std::optional<Place> m_place;
+    std::optional<Before> m_before;
+    TheorySetting m_stepTheory;             ///< when the step began
+    QList<QPointer<QDockWidget>> m_opened;  ///< panels that a step has shown, and that were closed before
+    QList<QPointer<QWidget>> m_lent;        ///< what a step shows on the full screen, beside the picture
+    bool m_fullScreen = false;
+    LessonOutline m_outline;
+};
+
+}  // namespace echolucent

@@ -1,0 +1,23 @@
+// Lessons in the window: their stage and their player.
+#include "app/lesson/lesson_player.h"
+#include "app/lesson/lesson_stage.h"
+#include "app/window/full_screen.h"
+#include "app/window/main_window.h"
+#include "app/window/window_faces.h"
+
+namespace echolucent {
+
+void MainWindow::createLessons() {
+    m_lessonStage =
+        std::make_unique<LessonStage>(LessonStage::Parts{*this, *m_widgets.lessons, *m_widgets.panes, *m_tubeCoreChoice,
+                                                         *m_widgets.theory, *m_widgets.motion, *m_widgets.controls});
+    connect(m_fullScreen, &FullScreen::changed, m_lessonStage.get(),
+            [this] { m_lessonStage->setFullScreen(m_fullScreen->active()); });
+    m_lessons = std::make_unique<LessonPlayer>(LessonPlayer::Parts{
+        *this, m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreChoice, m_motionPlayer, *m_compare,
+        *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_lessonStage, *m_widgets.messages,
+        [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
+    connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
+}
+
+}  // namespace echolucent
