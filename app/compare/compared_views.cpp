@@ -93,6 +93,11 @@ void ComparedViews::follow() {
     m_parts.grid.setNames(names());
     const QSize size = m_parts.grid.pictureSize();
     if (size.isEmpty()) return stopCasting();
+    // While another study's document begins, the panes are still those of the study before, and may be fewer.
+    if (m_parts.openStudy.beginning() || !paneAt(document.panes.size() - 1).voxels) {
+        m_waits = true;
+        return stopCasting();
+    }
     m_asked = {};
     bool usable = true;
     for (const std::size_t place : placesWanted()) {

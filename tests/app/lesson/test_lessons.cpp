@@ -3,6 +3,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QRadioButton>
+#include <thread>
 
 #include "app/compare/compare_room.h"
 #include "app/explain/tube_core_choice.h"
@@ -11,6 +12,7 @@
 #include "app/sessions/session_keeping.h"
 #include "app/window/window_faces.h"
 #include "processing/adaptive/method_reading.h"
+#include "processing/document/panes.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/lesson/lesson_text_view.h"
 #include "widgets/lesson/lessons_panel.h"
@@ -100,6 +102,26 @@ private slots:
         model.steps().setIndex(0);
         QCOMPARE(document().scene.look.brightness, Look{}.brightness);
         waitUntilIdle();
+    }
+
+    /// Its panes are there while the voxels are still those of the lesson, and only the first pane has any.
+    void aComparisonComesBackWithItsStudy() {
+        open(m_file);
+        const auto compared = [](Document& next) { next = withPaneCount(next, 3); };
+        window().document().change("panes", compared);
+        waitUntilIdle();
+        const Document before = document();
+        enter(smallLesson());
+        QVERIFY(!window().compareRoom().shown());
+        connect(&window().compareRoom(), &CompareRoom::shownChanged, this, [] {
+            for (int turn = 0; turn < 20'000; ++turn)
+                std::this_thread::yield();  // the ray caster's thread has its turn
+        });
+        player().leave();
+        QVERIFY(window().compareRoom().shown());
+        QVERIFY(document() == before);
+        waitUntilIdle();
+        QVERIFY(window().compareRoom().views().settled());
     }
 
     void stepsArePlayedForthAndBack() {
