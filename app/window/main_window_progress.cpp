@@ -7,6 +7,7 @@
 #include "app/window/main_window.h"
 #include "app/window/review_room.h"
 #include "app/window/window_faces.h"
+#include "processing/document/panes.h"
 #include "widgets/compare/compare_grid.h"
 #include "widgets/compare/compare_panel.h"
 #include "widgets/controls/message_bar.h"
@@ -14,6 +15,7 @@
 #include "widgets/controls/side_strip.h"
 #include "widgets/otf_editor/otf_editor.h"
 #include "widgets/panels/curve_sliders.h"
+#include "widgets/panels/history_panel.h"
 #include "widgets/panels/room_panel.h"
 #include "widgets/panels/view_panel.h"
 
@@ -65,6 +67,10 @@ void MainWindow::connectProgress() {
         placeMessages();
         m_widgets.sliders->setComparing(shown);
         arrangeForComparison(shown);
+    });
+    // The document may have had several panes before, and a person may have left the comparison.
+    connect(m_widgets.history, &HistoryPanel::chosen, m_compare.get(), [this] {
+        if (isCompared(m_document.ownDocument())) m_compare->setShown(true);
     });
 }
 

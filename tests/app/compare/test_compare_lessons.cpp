@@ -175,6 +175,11 @@ private slots:
             window().document().steps().undo();
             QVERIFY(jsonOf(document()) == text);
         }
+        // It is shown also if the panes of another one were there, and the comparison was left.
+        emit window().findChild<HistoryPanel*>()->chosen(0);
+        window().compareRoom().setShown(false);
+        emit window().findChild<HistoryPanel*>()->chosen(3);
+        QVERIFY(window().compareRoom().shown());
     }
 
     /// Smoothed, the pane shows the mean of the five newest; the other shows its own view's.
