@@ -182,6 +182,39 @@ private slots:
         QVERIFY(window().compareRoom().shown());
     }
 
+    /// Saved, opened by another start of the program and saved there: the same bytes, and the same room.
+    void aSessionOfAFigureIsTheSameInAnotherWindow() {
+        MainWindow other(temporaryFolder().filePath("other.ini"));
+        other.show();
+        const auto save = [](MainWindow& from, const QString& path) {
+            from.sessionKeeping().saveAs(path);
+            QTRY_VERIFY_WITH_TIMEOUT(!from.sessionKeeping().saving() && from.idle(), patience);
+        };
+        const auto bytes = [](const QString& path) {
+            QFile in(path);
+            return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+        };
+        for (const PaperFigure& figure : paperFigures()) {
+            child<QAction>(QStringLiteral("compare.figure%1").arg(figure.number))->trigger();
+            waitUntilRest();
+            const QByteArray name = "figure " + QByteArray::number(figure.number);
+            QVERIFY(window().sessionKeeping().snapshots().keep(QString::fromUtf8(name), document()).isEmpty());
+            const QString first = temporaryFolder().filePath("first.session.json"),
+                          second = temporaryFolder().filePath("second.session.json");
+            save(window(), first);
+            const std::string saved = jsonOf(document());
+            QVERIFY(!bytes(first).isEmpty());
+            QSignalSpy opened(&other.openStudy(), &OpenStudy::studyOpened);
+            other.open(first);
+            QTRY_VERIFY_WITH_TIMEOUT(!opened.isEmpty() && other.idle(), patience);
+            QVERIFY2(jsonOf(other.document().document()) == saved, name);
+            QCOMPARE(other.compareRoom().shown(), isCompared(document()));
+            QCOMPARE(other.motionPlayer().angle(), document().scene.motionAngle);
+            save(other, second);
+            QVERIFY2(bytes(second) == bytes(first), name);
+        }
+    }
+
     /// Smoothed, the pane shows the mean of the five newest; the other shows its own view's.
     void figure11HasThePastThatItSmooths() {
         window().compareRoom().setShown(false);
