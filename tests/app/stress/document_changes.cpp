@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "processing/adaptive/method_parameters.h"
+#include "processing/adaptive/method_reading.h"
 #include "processing/designers/choice/designer.h"
 #include "processing/document/panes.h"
 #include "processing/picture/look.h"
@@ -140,6 +141,12 @@ Pane anyPane(const StudyBounds& bounds, RandomChoice& choice) {
     if (choice.chance(0.2)) pane.withoutTubes = {choice.below(9)};
     if (choice.chance(0.2)) pane.phase = choice.below(bounds.phases);
     if (choice.chance(0.2)) pane.motionOtf = choice.of(std::array{MotionOtf::oneOtf, MotionOtf::eachView});
+    if (choice.chance(0.3)) pane.linear = LinearCurve{.slope = choice.between(0, 2)};
+    if (choice.chance(0.3)) {
+        pane.method = configOf(choice.of(std::array{MethodReading::asPublished, MethodReading::firstVersion}));
+        if (choice.chance(0.5)) pane.method = withAnotherRow(methodParameters(), *pane.method, choice);
+        pane.method->initial = AdaptiveOtfConfig{}.initial;  // plays no part in a document
+    }
     return pane;
 }
 
@@ -152,6 +159,7 @@ void changePanes(Document& document, const StudyBounds& bounds, RandomChoice& ch
         if (place == firstPane) {
             pane.phase.reset();
             pane.motionOtf.reset();
+            pane.method.reset();
         }
         document = withPane(document, place, pane);
     }
@@ -283,15 +291,26 @@ constexpr std::array changes{Change{"front", changeFront},       Change{"box", c
                              Change{"pose", changePose},         Change{"planes", changePlanes},
                              Change{"side", changeSide},         Change{"beam", changeBeam},
                              Change{"motion", changeMotion}};
+constexpr std::array changesOfPanes{Change{"panes", changePanes},           Change{"panes", changePanes},
+                                    Change{"comparison", changeComparison}, Change{"designer", changeDesigner},
+                                    Change{"method", changeMethod},         Change{"curves", changeCurves}};
 
-}  // namespace
-
-ChangedDocument changedByChance(const Document& document, const StudyBounds& bounds, RandomChoice& choice) {
-    const Change& change = choice.of(changes);
+ChangedDocument changedBy(const Change& change, const Document& document, const StudyBounds& bounds,
+                          RandomChoice& choice) {
     ChangedDocument changed{document, QStringLiteral("stress: %1").arg(change.what)};
     change.how(changed.document, bounds, choice);
     if (!problemOf(changed.document).empty()) changed.document = document;
     return changed;
+}
+
+}  // namespace
+
+ChangedDocument changedByChance(const Document& document, const StudyBounds& bounds, RandomChoice& choice) {
+    return changedBy(choice.of(changes), document, bounds, choice);
+}
+
+ChangedDocument withChangedPanes(const Document& document, const StudyBounds& bounds, RandomChoice& choice) {
+    return changedBy(choice.of(changesOfPanes), document, bounds, choice);
 }
 
 }  // namespace echolucent

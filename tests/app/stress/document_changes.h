@@ -23,5 +23,8 @@ struct ChangedDocument {
 /// The document with another value of one part. problemOf(document) stays empty if it was.
 [[nodiscard]] ChangedDocument changedByChance(const Document& document, const StudyBounds& bounds,
                                               RandomChoice& choice);
+/// The same, of what panes are rendered with and how they are compared.
+[[nodiscard]] ChangedDocument withChangedPanes(const Document& document, const StudyBounds& bounds,
+                                               RandomChoice& choice);
 
 }  // namespace echolucent

@@ -159,9 +159,16 @@ QString WindowHand::pressKeys(RandomChoice& choice) {
     return QStringLiteral("key %1 at %2").arg(QKeySequence(modifiers | key).toString(), name);
 }
 
-QString WindowHand::turnControl(RandomChoice& choice) {
+QString WindowHand::turnControlOf(RandomChoice& choice, const QString& name) {
+    auto* dock = m_window.findChild<QDockWidget*>(name);
+    dock->show();
+    dock->raise();
+    return turnControl(choice, *dock);
+}
+
+QString WindowHand::turnControl(RandomChoice& choice, const QWidget& within) {
     QList<QWidget*> controls;
-    for (QWidget* widget : m_window.findChildren<QWidget*>()) {
+    for (QWidget* widget : within.findChildren<QWidget*>()) {
         if (!widget->isVisible() || !widget->isEnabled() || widget->objectName().isEmpty()) continue;
         if (widget->objectName().startsWith(QLatin1String("qt_"))) continue;
         if (auto* button = qobject_cast<QAbstractButton*>(widget)) {

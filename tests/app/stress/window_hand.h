@@ -24,7 +24,11 @@ public:
     /// Keys that a picture, a plane or a curve takes.
     QString pressKeys(RandomChoice& choice);
     /// Turns a control of a panel that is in sight.
-    QString turnControl(RandomChoice& choice);
+    QString turnControl(RandomChoice& choice) { return turnControl(choice, m_window); }
+    /// The same of the controls inside a widget.
+    QString turnControl(RandomChoice& choice, const QWidget& within);
+    /// Brings a panel to the front and turns a control of it.
+    QString turnControlOf(RandomChoice& choice, const QString& dock);
     QString raisePanel(RandomChoice& choice);
     /// Triggers an entry of the menus that neither asks for a file nor ends the program.
     QString triggerAction(RandomChoice& choice);

@@ -10,27 +10,19 @@
 #include <algorithm>
 
 #include "app/compare/compare_room.h"
-#include "app/motion/movie_files.h"
-#include "app/otf/near_cut_finder.h"
+#include "app/lesson/lesson_player.h"
 #include "app/sessions/session_keeping.h"
 #include "app/window/review_room.h"
-#include "io/document/document_file.h"
-#include "processing/document/panes.h"
+#include "app/window/window_faces.h"
 #include "tests/app/stress/document_changes.h"
+#include "tests/app/stress/window_checks.h"
+#include "widgets/controls/message_bar.h"
 
 namespace echolucent {
 
 namespace {
 
 constexpr int longestRest = 120'000;  // ms
-
-/// Where two texts differ first.
-QString difference(const std::string& one, const std::string& other) {
-    std::size_t at = 0;
-    while (at < std::min(one.size(), other.size()) && one[at] == other[at]) ++at;
-    const std::size_t from = at > 60 ? at - 60 : 0;
-    return QString::fromStdString("\"" + one.substr(from, 140) + "\" and \"" + other.substr(from, 140) + "\"");
-}
 
 }  // namespace
 
@@ -42,10 +34,13 @@ WindowStress::WindowStress(MainWindow& window, const StressFiles& files, std::ui
       m_log(log),
       m_first(window.document().ownDocument()),
       m_layout(window.saveState()) {
+    m_clock.start();
     if (!m_log.open(QIODevice::WriteOnly | QIODevice::Unbuffered)) qFatal("cannot write %s", qPrintable(log));
     connect(&model().steps(), &DocumentSteps::changed, this, [this] {
         if (m_window.openStudy().beginning() && model().steps().count() == 0) m_begun = model().ownDocument();
     });
+    // A study that comes back has its steps.
+    connect(&m_window.openStudy(), &OpenStudy::aboutToReplace, this, [this] { m_begun.reset(); });
     connect(&m_window.openStudy(), &OpenStudy::openFailed, this, [this](const QString& path, const Failure& failure) {
         if (!m_files.failures.contains(path))
             fail(QStringLiteral("%1 was not opened: %2").arg(path, QString::fromStdString(failure.sentence())));
@@ -55,51 +50,70 @@ WindowStress::WindowStress(MainWindow& window, const StressFiles& files, std::ui
     });
 }
 
-const std::vector<WindowStress::Action>& WindowStress::actions() {
-    static const std::vector<Action> all{{"edit", 250, &WindowStress::edit},
-                                         {"preview", 50, &WindowStress::preview},
-                                         {"undo", 70, &WindowStress::undo},
-                                         {"redo", 40, &WindowStress::redo},
-                                         {"jump in the history", 5, &WindowStress::jump},
-                                         {"phase", 30, &WindowStress::showPhase},
-                                         {"play", 20, &WindowStress::play},
-                                         {"compare", 8, &WindowStress::compare},
-                                         {"open", 8, &WindowStress::open},
-                                         {"open what fails", 5, &WindowStress::openWhatFails},
-                                         {"open a session", 3, &WindowStress::openSession},
-                                         {"open the simulated scan", 1, &WindowStress::openSimulatedScan},
-                                         {"cancel", 15, &WindowStress::cancel},
-                                         {"save the session", 4, &WindowStress::saveSession},
-                                         {"save something else", 1, &WindowStress::saveOther},
-                                         {"wait for rest", 3, &WindowStress::waitForRest},
-                                         {"undo all", 3, &WindowStress::undoAll},
-                                         {"drag", 130, &WindowStress::drag},
-                                         {"drag, interrupted", 15, &WindowStress::dragInterrupted},
-                                         {"wheel", 40, &WindowStress::turnWheel},
-                                         {"double click", 15, &WindowStress::doubleClick},
-                                         {"keys", 60, &WindowStress::pressKeys},
-                                         {"control", 180, &WindowStress::turnControl},
-                                         {"panel", 30, &WindowStress::raisePanel},
-                                         {"menu", 50, &WindowStress::triggerAction},
-                                         {"dialog", 3, &WindowStress::askAndDismiss}};
-    return all;
+std::vector<StressAction> WindowStress::actionsOfEveryRun() {
+    const auto own = [this](QString (WindowStress::*does)(RandomChoice&)) {
+        return [this, does](RandomChoice& choice) { return (this->*does)(choice); };
+    };
+    const auto byHand = [this](QString (WindowHand::*does)(RandomChoice&)) {
+        return [this, does](RandomChoice& choice) { return (m_hand.*does)(choice); };
+    };
+    return {{"edit", 250, own(&WindowStress::edit)},
+            {"preview", 50, own(&WindowStress::preview)},
+            {"undo", 70, own(&WindowStress::undo)},
+            {"redo", 40, own(&WindowStress::redo)},
+            {"jump in the history", 5, own(&WindowStress::jump)},
+            {"phase", 30, own(&WindowStress::showPhase)},
+            {"play", 20, own(&WindowStress::play)},
+            {"compare", 8, own(&WindowStress::compare)},
+            {"open", 8, own(&WindowStress::open)},
+            {"open what fails", 5, own(&WindowStress::openWhatFails)},
+            {"open a session", 3, own(&WindowStress::openSession)},
+            {"open the simulated scan", 1, own(&WindowStress::openSimulatedScan)},
+            {"cancel", 15, own(&WindowStress::cancel)},
+            {"save the session", 4, own(&WindowStress::saveSession)},
+            {"save something else", 1, own(&WindowStress::saveOther)},
+            {"wait for rest", 3, own(&WindowStress::waitForRest)},
+            {"undo all", 3, own(&WindowStress::undoAll)},
+            {"drag", 130, [this](RandomChoice& choice) { return m_hand.drag(choice); }},
+            {"drag, interrupted", 15, own(&WindowStress::dragInterrupted)},
+            {"wheel", 40, byHand(&WindowHand::turnWheel)},
+            {"double click", 15, byHand(&WindowHand::doubleClick)},
+            {"keys", 60, byHand(&WindowHand::pressKeys)},
+            {"control", 180, byHand(&WindowHand::turnControl)},
+            {"panel", 30, byHand(&WindowHand::raisePanel)},
+            {"menu", 50, byHand(&WindowHand::triggerAction)},
+            {"dialog", 3, byHand(&WindowHand::askAndDismiss)}};
+}
+
+void WindowStress::add(StressPart& part, int actionsBetweenRests) {
+    m_part = &part;
+    m_actionsBetweenRests = actionsBetweenRests;
+    for (StressAction& action : part.actions()) m_actions.push_back(std::move(action));
 }
 
 QString WindowStress::run(int first, int end) {
+    if (m_part) {  // all of it takes less time on a small study
+        m_window.open(m_files.studies.first());
+        if (const QString problem = rest(); !problem.isEmpty()) return problem;
+    }
     int weights = 0;
-    for (const Action& action : actions()) weights += action.weight;
+    for (const StressAction& action : m_actions) weights += action.weight;
     for (int number = first; number < end && m_problem.isEmpty(); ++number) {
         RandomChoice choice(m_seed, static_cast<std::uint64_t>(number));
         int place = choice.below(weights);
-        auto action = actions().begin();
+        auto action = m_actions.begin();
         for (; place >= action->weight; ++action) place -= action->weight;
-        tell(QStringLiteral("%1 %2").arg(number).arg(action->name));
-        const QString done = (this->*action->run)(choice);
+        tell(QStringLiteral("%1 %2, after %3 s").arg(number).arg(action->name).arg(m_clock.elapsed() / 1000));
+        const QString done = action->run(choice);
         if (!done.isEmpty()) tell("    " + done);
         m_hand.dismissDialogs();
         if (choice.chance(0.6)) QCoreApplication::processEvents();
+        const QString said = m_window.findChild<MessageBar*>()->text();
+        if (std::exchange(m_said, said) != said && !said.isEmpty()) tell("    says: " + said);
         if (const std::string problem = problemOf(model().document()); !problem.empty())
             fail("the document breaks a rule: " + QString::fromStdString(problem));
+        if (m_part) fail(m_part->problem());
+        if (m_part && number % m_actionsBetweenRests == m_actionsBetweenRests - 1) checkAll(choice);
         if (!m_problem.isEmpty()) tell("    " + m_problem);
     }
     return m_problem;
@@ -114,14 +128,6 @@ void WindowStress::tell(const QString& line) { m_log.write(line.toUtf8() + '\n')
 int WindowStress::phases() const {
     const Study* study = m_window.openStudy().study();
     return study ? static_cast<int>(study->phases.size()) : 1;
-}
-
-std::string WindowStress::bytesOf(Document document) const {
-    document = withShown(std::move(document), Document{});
-    // A checksum is known some time after the opening.
-    const StudyReference& newest = m_window.document().document().study;
-    if (nameTheSame(document.study, newest)) document.study = newest;
-    return jsonOf(document);
 }
 
 std::string WindowStress::bytes() const { return bytesOf(m_window.document().ownDocument()); }
@@ -260,6 +266,15 @@ QString WindowStress::waitForRest(RandomChoice&) {
     return {};
 }
 
+void WindowStress::checkAll(RandomChoice& choice) {
+    (void)waitForRest(choice);
+    if (m_problem.isEmpty()) tell("    rests, undone and done again: " + undoAll(choice));
+    if (m_problem.isEmpty()) fail(rest());
+    if (m_problem.isEmpty()) fail(checkRest());
+    if (m_problem.isEmpty()) fail(m_part->problemAtRest());
+    fail(m_part->problem());
+}
+
 QString WindowStress::undoAll(RandomChoice& choice) {
     const int steps = model().steps().count();
     fail(checkSteps());
@@ -283,25 +298,6 @@ QString WindowStress::dragInterrupted(RandomChoice& choice) {
 
 // ---- What must hold
 
-QString WindowStress::underWay() const {
-    OpenStudy& study = m_window.openStudy();
-    QStringList names;
-    const auto add = [&](bool busy, const char* name) {
-        if (busy) names << name;
-    };
-    add(study.loading(), "loading");
-    add(study.takingChecksum(), "checksum");
-    add(study.cutting(), "scalpel");
-    add(study.quietPhases().busy(), "speckle reduction");
-    add(m_window.otfs().busy(), "OTFs");
-    add(m_window.nearCutFinder().busy(), "near cut");
-    add(m_window.sessionKeeping().saving(), "session");
-    add(!m_window.volumeView().pictureIsFine(), "picture");
-    add(m_window.movieFiles().busy(), "movie");
-    add(m_window.motionPlayer().isPlaying(), "motion");
-    return names.isEmpty() ? QStringLiteral("something else") : names.join(", ");
-}
-
 QString WindowStress::rest() {
     m_window.motionPlayer().pause();
     QElapsedTimer waited;
@@ -309,7 +305,7 @@ QString WindowStress::rest() {
     QTimer wakes;  // a work that never ends sends no event
     wakes.start(100);
     while (!m_window.idle()) {
-        if (waited.elapsed() > longestRest) return "the window never rests: " + underWay();
+        if (waited.elapsed() > longestRest) return "the window never rests: " + workUnderWay(m_window);
         QCoreApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
         m_window.motionPlayer().pause();
     }
@@ -317,27 +313,10 @@ QString WindowStress::rest() {
 }
 
 QString WindowStress::checkRest() {
-    const Document& document = m_window.document().document();
-    OpenStudy& study = m_window.openStudy();
-    if (!study.study()) return {};
-    if (study.phase() != document.scene.phase) return "the study shows another phase than the document";
-    if (study.strokes() != document.scene.strokes.values()) return "other strokes are cut than the document's";
-    if (m_window.volumeView().look() != document.scene.look) return "the picture has another look than the document";
-    if (m_window.volumeView().isVisible() &&
-        !(m_window.volumeView().pictureIsCurrent() && m_window.volumeView().pictureIsFine()))
-        return "the picture is not that of the document, converged";
-    const ComparedViews& compared = m_window.compareRoom().views();
-    if (m_window.compareRoom().shown() && isCompared(document) && !compared.settled() && !compared.refused())
-        return "the comparison is not that of the document, converged";
-    return checkReading();
-}
-
-QString WindowStress::checkReading() const {
-    const Document& document = m_window.document().document();
-    const auto read = documentFromJson(jsonOf(document));
-    if (!read) return "the document cannot be read again: " + QString::fromStdString(read.error().sentence());
-    if (*read == document) return {};
-    return "the document that is read again is another one: " + difference(jsonOf(document), jsonOf(*read));
+    if (const QString problem = problemOfPictures(m_window); !problem.isEmpty()) return problem;
+    if (const QString problem = problemOfPanes(m_window); !problem.isEmpty()) return problem;
+    if (const QString problem = problemOfWords(m_window); !problem.isEmpty()) return problem;
+    return problemOfReading(model().document());
 }
 
 QString WindowStress::checkSteps() {
@@ -354,7 +333,7 @@ QString WindowStress::checkSteps() {
         if (steps.index() != before - 1 || steps.count() != count)
             return QStringLiteral("undo of step %1 made a step").arg(before);
         states.push_back(bytes());
-        if (const QString problem = checkReading(); !problem.isEmpty())
+        if (const QString problem = problemOfReading(model().document()); !problem.isEmpty())
             return QStringLiteral("state %1: %2").arg(steps.index()).arg(problem);
     }
     if (m_allStepsKept && steps.dropped() > 0) return "steps were dropped";
@@ -382,6 +361,9 @@ QString WindowStress::checkSteps() {
 QString WindowStress::beginAnew() {
     tell("begins anew");
     m_hand.dismissDialogs();
+    if (m_part) m_part->end();
+    m_window.lessonPlayer().leaveNow();
+    m_window.faces().choose(Face::review);
     m_window.motionPlayer().pause();
     m_window.compareRoom().setShown(false);
     m_window.restoreState(m_layout);

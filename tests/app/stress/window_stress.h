@@ -1,31 +1,31 @@
 // Actions by chance in the real window, and what must hold after any of them.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QObject>
-#include <QStringList>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/window/main_window.h"
 #include "tests/app/stress/random_choice.h"
+#include "tests/app/stress/stress_files.h"
+#include "tests/app/stress/stress_part.h"
+#include "tests/app/stress/window_checks.h"
 #include "tests/app/stress/window_hand.h"
 
 namespace echolucent {
-
-/// What is opened meanwhile.
-struct StressFiles {
-    QStringList studies;   ///< that can be opened
-    QStringList failures;  ///< that are missing or broken
-    QString folder;        ///< for sessions, pictures and pages that are saved
-};
 
 class WindowStress : public QObject {
 public:
     /// `log` gets each action's number and name, as it is begun: it is complete even where the program crashes.
     WindowStress(MainWindow& window, const StressFiles& files, std::uint64_t seed, const QString& log);
 
+    /// Adds the actions of a part, which must outlive this object. After so many actions the run waits, and all is
+    /// checked.
+    void add(StressPart& part, int actionsBetweenRests);
+    [[nodiscard]] WindowHand& hand() { return m_hand; }
     /// All steps since the last opening are kept: undo leads to its document then.
     void expectAllSteps() { m_allStepsKept = true; }
     /// Does these actions. The problem found, or an empty text.
@@ -39,12 +39,7 @@ public:
     [[nodiscard]] QString beginAnew();
 
 private:
-    struct Action {
-        const char* name;
-        int weight;
-        QString (WindowStress::*run)(RandomChoice&);
-    };
-    static const std::vector<Action>& actions();
+    [[nodiscard]] std::vector<StressAction> actionsOfEveryRun();
 
     QString edit(RandomChoice& choice);
     QString preview(RandomChoice& choice);
@@ -63,27 +58,20 @@ private:
     QString saveOther(RandomChoice& choice);
     QString waitForRest(RandomChoice& choice);
     QString undoAll(RandomChoice& choice);
-    QString drag(RandomChoice& choice) { return m_hand.drag(choice); }
     QString dragInterrupted(RandomChoice& choice);
-    QString turnWheel(RandomChoice& choice) { return m_hand.turnWheel(choice); }
-    QString doubleClick(RandomChoice& choice) { return m_hand.doubleClick(choice); }
-    QString pressKeys(RandomChoice& choice) { return m_hand.pressKeys(choice); }
-    QString turnControl(RandomChoice& choice) { return m_hand.turnControl(choice); }
-    QString raisePanel(RandomChoice& choice) { return m_hand.raisePanel(choice); }
-    QString triggerAction(RandomChoice& choice) { return m_hand.triggerAction(choice); }
-    QString askAndDismiss(RandomChoice& choice) { return m_hand.askAndDismiss(choice); }
 
     [[nodiscard]] DocumentModel& model() { return m_window.document(); }
     [[nodiscard]] int phases() const;
     /// The document as bytes, without what is no step: without the panes that are only looked at, too.
     [[nodiscard]] std::string bytes() const;
-    [[nodiscard]] std::string bytesOf(Document document) const;
+    [[nodiscard]] std::string bytesOf(const Document& document) const {
+        return echolucent::bytesOf(m_window, document);
+    }
     [[nodiscard]] QString sessionFile(int number) const;
-    [[nodiscard]] QString underWay() const;
     /// What must hold of the document and what shows it, at rest.
     [[nodiscard]] QString checkRest();
-    /// Whether the document is the same once it was written and read.
-    [[nodiscard]] QString checkReading() const;
+    /// Waits, and checks all that must hold, also of the part.
+    void checkAll(RandomChoice& choice);
     /// Notes a problem; the first one counts.
     void fail(const QString& problem);
     void tell(const QString& line);
@@ -93,6 +81,11 @@ private:
     std::uint64_t m_seed;
     WindowHand m_hand;
     QFile m_log;
+    QElapsedTimer m_clock;  ///< since the run began
+    QString m_said;         ///< by the bar of messages, after the action before
+    std::vector<StressAction> m_actions = actionsOfEveryRun();
+    StressPart* m_part = nullptr;
+    int m_actionsBetweenRests = 0;
     Document m_first;                 ///< of a first start
     QByteArray m_layout;              ///< of the window
     std::optional<Document> m_begun;  ///< as the open study's document was begun
