@@ -16,12 +16,10 @@
 namespace echolucent {
 
 namespace {
-
 constexpr double frameMilliseconds = 40.0;  // the time for a frame while the hand moves
+}  // namespace
 
-/// A curve has the same colour and dashes everywhere, and so has the adaptive OTF. The OTF of another designer has
-/// none. A piecewise linear curve of the pane's own stands beside that of eq. 1, so it has another colour.
-PaneFace faceOf(std::size_t place, const Document& document) {
+PaneFace faceOf(const Document& document, std::size_t place) {
     const Pane& choice = document.panes[place];
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(captionOfPane(document, place))};
     const bool adaptive = choice.designer && std::holds_alternative<AdaptiveConfig>(*choice.designer);
@@ -39,7 +37,10 @@ PaneFace faceOf(std::size_t place, const Document& document) {
     return face;
 }
 
-}  // namespace
+std::vector<double> insetOf(const ShownPane& pane) {
+    constexpr int samples = 129;
+    return sampledOpacities(upperCurveOf(pane.classification), samples);
+}
 
 ComparedViews::ComparedViews(const Parts& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_caster(parts.works, PreviewQuality(frameMilliseconds)) {
@@ -66,7 +67,7 @@ void ComparedViews::setFullScreen(bool full) {
 QStringList ComparedViews::names() const {
     const Document& document = m_parts.model.document();
     QStringList names;
-    for (std::size_t place = 0; place < document.panes.size(); ++place) names << faceOf(place, document).name;
+    for (std::size_t place = 0; place < document.panes.size(); ++place) names << faceOf(document, place).name;
     if (document.comparison.layout == ComparisonLayout::sideBySide) return names;
     return {tr("on the left: %1, on the right: %2")
                 .arg(names[document.comparison.first], names[document.comparison.second])};
@@ -286,14 +287,13 @@ void ComparedViews::showFaces() {
     if (!m_shown || !m_parts.openStudy.volume()) return;
     bool pairBusy = false;
     for (std::size_t place = 0; place < document.panes.size(); ++place) {
-        PaneFace face = faceOf(place, document);
+        PaneFace face = faceOf(document, place);
         face.coloured = document.comparison.colours;
         CompareRow row = place < m_rows.size() ? m_rows[place] : CompareRow{};
         face.numbers = numbersOf(row);
         face.legend = legendAt(place);
         const ShownPane& pane = paneAt(place);
-        constexpr int samplesOfInset = 129;
-        if (m_insets || m_fullScreen) face.otf = sampledOpacities(upperCurveOf(pane.classification), samplesOfInset);
+        if (m_insets || m_fullScreen) face.otf = insetOf(pane);
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);

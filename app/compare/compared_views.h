@@ -25,6 +25,13 @@ struct ColouredRays {
     std::vector<ShownSurface> shown;  ///< of each ray
 };
 
+/// The name of a pane, and the colour and dashes of its curve. A curve has the same everywhere, and so has the adaptive
+/// OTF. The OTF of another designer has none. A piecewise linear curve of the pane's own stands beside that of eq. 1,
+/// so it has another colour.
+[[nodiscard]] PaneFace faceOf(const Document& document, std::size_t place);
+/// The OTF that a pane shows, for PaneFace::otf.
+[[nodiscard]] std::vector<double> insetOf(const ShownPane& pane);
+
 /// Casts the visible panes with exactly the camera of the first pane. Puts pictures, names and numbers into the grid.
 /// The document alone says what is compared.
 class ComparedViews : public QObject {

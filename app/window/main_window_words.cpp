@@ -5,8 +5,10 @@
 #include "app/picture/explanation.h"
 #include "app/picture/picture_caption.h"
 #include "app/study/study_sides.h"
+#include "app/window/full_screen.h"
 #include "app/window/main_window.h"
 #include "app/window/window_faces.h"
+#include "widgets/compare/otf_inset.h"
 #include "widgets/panels/explain_panel.h"
 #include "widgets/theory/theory_panel.h"
 
@@ -42,6 +44,25 @@ void MainWindow::connectCaption() {
     connect(m_panes.get(), &ShownPanes::changed, this, tell);
     connect(m_sides.get(), &StudySides::changed, this, tell);
     connect(m_faces.get(), &WindowFaces::chosen, this, tell);
+
+    // On the full screen the curve editor is out of sight.
+    auto* inset = new OtfInset(this);
+    inset->lieOver(*m_widgets.picture);
+    const auto showInset = [this, inset] {
+        const Document& document = m_document.document();
+        const bool shown = m_fullScreen->active() && m_faces->face() == Face::teach && !m_compare->shown() &&
+                           m_openStudy.volume() && !m_view->held() && document.scene.look.mode == RenderMode::direct;
+        if (shown) {
+            PaneFace face = faceOf(document, firstPane);
+            face.otf = insetOf(m_panes->at(firstPane));
+            inset->setFace(face);
+        }
+        inset->setVisible(shown);
+    };
+    connect(m_panes.get(), &ShownPanes::changed, this, showInset);
+    connect(m_faces.get(), &WindowFaces::chosen, this, showInset);
+    connect(m_fullScreen, &FullScreen::changed, this, showInset);
+    connect(m_compare.get(), &CompareRoom::shownChanged, this, showInset);
 }
 
 std::optional<std::size_t> MainWindow::rememberedSide() const {

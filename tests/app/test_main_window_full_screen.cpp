@@ -4,8 +4,12 @@
 #include <QStatusBar>
 #include <QWindow>
 
+#include "app/compare/compare_room.h"
+#include "app/window/window_faces.h"
 #include "tests/app/window_fixture.h"
 #include "tests/qt_program/test_classes.h"
+#include "widgets/compare/otf_inset.h"
+#include "widgets/otf_editor/curve_style.h"
 #include "widgets/theme_colours.h"
 
 using namespace echolucent;
@@ -55,6 +59,37 @@ private slots:
             QTRY_COMPARE(seen(), seenBefore);
             QTRY_COMPARE(child<QDockWidget>("dock.study")->width(), 380);
         }
+        waitUntilIdle();
+    }
+
+    /// In Teach, as each pane of a comparison does, and in a size for the last row.
+    void theOtfOfASinglePictureIsSeenOnTheFullScreen() {
+        auto* inset = child<OtfInset>("view3d.otf");
+        QVERIFY(inset->isHidden());
+        QTest::keyClick(&window(), Qt::Key_F);
+        QVERIFY(inset->isVisible());
+        const QWidget& picture = window().volumeView();
+        QTRY_VERIFY(QRect(picture.mapTo(&window(), QPoint()), picture.size()).contains(inset->geometry()));
+        QTRY_VERIFY(inset->width() >= std::min(260, picture.width() / 5));
+        QTest::keyClick(&window(), Qt::Key_3);  // eq. 1
+        const CurveSet& curves = window().document().document().curves;
+        QCOMPARE(inset->face().otf, sampledOpacities(OpacityCurve(curves.linear), 129));
+        QVERIFY(inset->face().frame == curveColor(CurveKind::linear, Theme::dark));
+        const QImage painted = inset->grab().toImage();
+        int coloured = 0;
+        for (int x = 0; x < painted.width(); ++x)
+            for (int y = 0; y < painted.height(); ++y) coloured += painted.pixelColor(x, y) == *inset->face().frame;
+        QVERIFY(coloured > painted.width());
+
+        window().faces().choose(Face::review);
+        QVERIFY(inset->isHidden());
+        window().faces().choose(Face::teach);
+        QVERIFY(inset->isVisible());
+        window().compareRoom().setShown(true);  // its panes have their own
+        QVERIFY(inset->isHidden());
+        window().compareRoom().setShown(false);
+        QTest::keyClick(&window(), Qt::Key_F);
+        QVERIFY(inset->isHidden());
         waitUntilIdle();
     }
 

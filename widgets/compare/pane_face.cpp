@@ -65,32 +65,6 @@ void paintLegend(QPainter& painter, const QRect& place, const SurfaceLegend& leg
     paintSurfaceLegend(painter, QRect(place.left(), place.top() + line, place.width(), line), second, text);
 }
 
-void paintOtf(QPainter& painter, const QRect& picture, const PaneFace& face) {
-    constexpr int leastPicture = 160;
-    if (face.otf.size() < 2 || picture.width() < leastPicture) return;
-    const double wide = std::clamp(0.3 * picture.width(), 60.0, 260.0), high = 0.6 * wide, inside = wide / 30.0;
-    const QRectF box(picture.left() + inside, picture.bottom() - inside - high, wide, high);
-    const ThemeColours& colours = coloursOverPictures();
-    painter.save();
-    painter.setRenderHint(QPainter::Antialiasing);
-    constexpr int ground = 170;
-    painter.setPen(QPen(colours.line, 1));
-    painter.setBrush(QColor(0, 0, 0, ground));
-    painter.drawRect(box);
-    const QRectF plot = box.adjusted(inside, inside, -inside, -inside);
-    QPolygonF line;
-    const auto last = static_cast<double>(face.otf.size() - 1);
-    for (std::size_t i = 0; i < face.otf.size(); ++i)
-        line << QPointF(plot.left() + plot.width() * static_cast<double>(i) / last,
-                        plot.bottom() - plot.height() * std::clamp(face.otf[i], 0.0, 1.0));
-    const bool own = face.frame && !face.coloured;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(
-        QPen(own ? *face.frame : colours.text, std::max(1.5, wide / 80.0), own ? face.frameStyle : Qt::SolidLine));
-    painter.drawPolyline(line);
-    painter.restore();
-}
-
 }  // namespace
 
 CaptionLayout captionLayout(const QStringList& names, int width, const QFont& font) {
@@ -115,11 +89,43 @@ QRect pictureIn(const QRect& pane, const CaptionLayout& caption) {
     return pane.adjusted(margin, margin, -margin, -margin - caption.height);
 }
 
+QRectF insetIn(const QRect& picture) {
+    constexpr int leastPicture = 160;
+    if (picture.width() < leastPicture) return {};
+    const double wide = std::clamp(0.3 * picture.width(), 60.0, std::max(260.0, 0.22 * picture.width()));
+    const double high = 0.6 * wide, around = wide / 30.0;
+    return {picture.left() + around, picture.bottom() - around - high, wide, high};
+}
+
+void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
+    if (face.otf.size() < 2 || inset.isEmpty()) return;
+    const double inside = inset.width() / 30.0;
+    const ThemeColours& colours = coloursOverPictures();
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    constexpr int ground = 170;
+    painter.setPen(QPen(colours.line, 1));
+    painter.setBrush(QColor(0, 0, 0, ground));
+    painter.drawRect(inset);
+    const QRectF plot = inset.adjusted(inside, inside, -inside, -inside);
+    QPolygonF line;
+    const auto last = static_cast<double>(face.otf.size() - 1);
+    for (std::size_t i = 0; i < face.otf.size(); ++i)
+        line << QPointF(plot.left() + plot.width() * static_cast<double>(i) / last,
+                        plot.bottom() - plot.height() * std::clamp(face.otf[i], 0.0, 1.0));
+    const bool own = face.frame && !face.coloured;
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(own ? *face.frame : colours.text, std::max(1.5, inset.width() / 80.0),
+                        own ? face.frameStyle : Qt::SolidLine));
+    painter.drawPolyline(line);
+    painter.restore();
+}
+
 void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption) {
     const QRect picture = pictureIn(pane, caption);
     const ThemeColours& colours = coloursOverPictures();
     painter.save();
-    paintOtf(painter, picture, face);
+    paintInset(painter, insetIn(picture), face);
     painter.setFont(caption.font);
     const int room = roomIn(pane.width());
     const QRect texts(pane.left() + padding + margin, picture.bottom() + 1 + padding, room,

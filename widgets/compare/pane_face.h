@@ -5,6 +5,7 @@
 #include <QFont>
 #include <QPainter>
 #include <QRect>
+#include <QRectF>
 #include <QString>
 #include <QStringList>
 #include <optional>
@@ -40,6 +41,10 @@ struct CaptionLayout {
 [[nodiscard]] CaptionLayout captionLayout(const QStringList& names, int width, const QFont& font);
 /// The place of the picture in a pane.
 [[nodiscard]] QRect pictureIn(const QRect& pane, const CaptionLayout& caption);
+/// The place of the OTF in a corner of a picture; empty if the picture is too small for it.
+[[nodiscard]] QRectF insetIn(const QRect& picture);
+/// Paints the OTF of a face at such a place. Any thread may call this.
+void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face);
 /// Paints texts, frame and OTF of a pane whose picture is painted. Any thread may call this.
 void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption);
 
