@@ -17,7 +17,13 @@ void OtfInset::setFace(const PaneFace& face) {
     if (std::exchange(m_face, face) != face) update();
 }
 
-QRect OtfInset::placeOver(const QRect& picture) const { return insetIn(picture).toAlignedRect(); }
+/// In the upper right corner: the axes and the scale stand in the lower ones, the caption in the upper left one.
+QRect OtfInset::placeOver(const QRect& picture) const {
+    QRectF inset = insetIn(picture);
+    const double around = inset.left() - picture.left();
+    inset.moveTopRight({picture.right() - around, picture.top() + around});
+    return inset.toAlignedRect();
+}
 
 void OtfInset::showEvent(QShowEvent* event) {
     OverPicture::showEvent(event);
