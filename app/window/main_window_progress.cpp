@@ -63,19 +63,26 @@ void MainWindow::connectProgress() {
             m_widgets.messages->lieOver(room);
     };
     connect(m_widgets.panes, &PaneGrid::paneLayoutChanged, this, placeMessages);
-    connect(m_compare.get(), &CompareRoom::shownChanged, this, [this, placeMessages](bool shown) {
+    // On the full screen no panel is seen: they are arranged once the others are back.
+    const auto arranged = std::make_shared<bool>(false);
+    const auto arrange = [this, arranged] {
+        const bool shown = m_compare->shown();
+        if (!m_fullScreen->active() && std::exchange(*arranged, shown) != shown) arrangeForComparison(shown);
+    };
+    connect(m_compare.get(), &CompareRoom::shownChanged, this, [this, placeMessages, arrange](bool shown) {
         placeMessages();
         m_widgets.sliders->setComparing(shown);
-        arrangeForComparison(shown);
+        followStrip();
+        arrange();
     });
+    connect(m_fullScreen, &FullScreen::changed, this, arrange);
     // The document may have had several panes before, and a person may have left the comparison.
     connect(m_widgets.history, &HistoryPanel::chosen, m_compare.get(), [this] {
         if (isCompared(m_document.ownDocument())) m_compare->setShown(true);
     });
 }
 
-/// A comparison shows no planes, so the tab of the planes makes way for that of the comparison. Its pictures take the
-/// room of the strip.
+/// A comparison shows no planes, so the tab of the planes makes way for that of the comparison.
 void MainWindow::arrangeForComparison(bool shown) {
     QDockWidget &planes = dockOf(*m_widgets.room), &compare = dockOf(*m_widgets.compare);
     if (shown) {
@@ -85,10 +92,10 @@ void MainWindow::arrangeForComparison(bool shown) {
         planes.setVisible(m_planesTabWasThere);
     }
     compare.setVisible(shown || m_faces->face() == Face::teach);
-    followStrip();
     (shown ? compare : dockOf(*m_widgets.controls)).raise();
 }
 
+/// Compared pictures take the room of the strip.
 void MainWindow::followStrip() {
     m_widgets.sides->setVisible(findChild<QAction*>("view.sides")->isChecked() && !m_compare->shown() &&
                                 !m_fullScreen->active() && !(m_lessons && m_lessons->playing()));

@@ -93,6 +93,35 @@ private slots:
         waitUntilIdle();
     }
 
+    /// A comparison that begins or ends there leaves all panels out of sight, and in their places for later.
+    void aComparisonBeginsAndEndsOnTheFullScreen() {
+        const auto seen = [this] {
+            QStringList names;
+            for (const QDockWidget* dock : window().findChildren<QDockWidget*>())
+                if (!dock->isHidden()) names << dock->objectName();
+            names.sort();
+            return names;
+        };
+        const QStringList before = seen();
+        QVERIFY(before.contains("dock.room"));
+        const auto key = [this](Qt::Key pressed) { QTest::keyClick(&window(), pressed); };
+        key(Qt::Key_F);
+        key(Qt::Key_F5);
+        QVERIFY(window().compareRoom().shown());
+        QCOMPARE(seen(), QStringList());
+        key(Qt::Key_F);
+        QVERIFY(seen().contains("dock.compare") && !seen().contains("dock.room"));
+        key(Qt::Key_F5);
+        QCOMPARE(seen(), before);
+        key(Qt::Key_F5);
+        key(Qt::Key_F);
+        key(Qt::Key_F5);
+        QCOMPARE(seen(), QStringList());
+        key(Qt::Key_F);
+        QCOMPARE(seen(), before);
+        waitUntilIdle();
+    }
+
     void keysWorkOnTheFullScreenAndClosingThereLosesNoPanel() {
         QTest::keyClick(&window(), Qt::Key_F);
         QTest::keyClick(&window(), Qt::Key_3);
