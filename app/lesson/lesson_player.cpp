@@ -156,6 +156,7 @@ void LessonPlayer::keepBefore() {
 }
 
 void LessonPlayer::begin() {
+    emit aboutToArrange();
     m_lesson = std::exchange(m_entering, std::nullopt);
     m_progress.assign(m_lesson->steps.size(), {});
     m_parts.chooseFace(Face::teach);
@@ -190,6 +191,7 @@ void LessonPlayer::leaveNow() {
 }
 
 void LessonPlayer::end() {
+    emit aboutToArrange();
     m_lesson.reset();
     m_before.reset();
     m_progress.clear();

@@ -93,6 +93,8 @@ public:
     [[nodiscard]] std::optional<DocumentValue> measured(std::string_view name) const;
 
 signals:
+    /// Panels are about to be moved, because a lesson begins or ends.
+    void aboutToArrange();
     /// A lesson has begun or ended.
     void playingChanged(bool playing);
     /// Another step is shown.

@@ -18,6 +18,8 @@ void MainWindow::createLessons() {
         *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_lessonStage, *m_widgets.messages,
         [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
     connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
+    // Panels that are moved on the full screen would be in their places before once it is left.
+    connect(m_lessons.get(), &LessonPlayer::aboutToArrange, m_fullScreen, &FullScreen::leave);
 }
 
 }  // namespace echolucent

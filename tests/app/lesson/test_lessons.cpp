@@ -1,4 +1,5 @@
 // Lessons in the window: entered and left like a session, played step by step, and the way back.
+#include <QAction>
 #include <QBuffer>
 #include <QDockWidget>
 #include <QLabel>
@@ -122,6 +123,20 @@ private slots:
         QVERIFY(document() == before);
         waitUntilIdle();
         QVERIFY(window().compareRoom().views().settled());
+    }
+
+    void aLessonThatEndsOnTheFullScreenLeavesThePanelsInTheirPlaces() {
+        open(m_file);
+        window().faces().choose(Face::teach);
+        auto* panel = child<QDockWidget>("dock.lessons");
+        enter(smallLesson());
+        QCOMPARE(window().dockWidgetArea(panel), Qt::LeftDockWidgetArea);
+        child<QAction>("view.fullScreen")->trigger();
+        QVERIFY(panel->isHidden());
+        player().leave();
+        QVERIFY(!window().isFullScreen());
+        QCOMPARE(window().dockWidgetArea(panel), Qt::RightDockWidgetArea);
+        waitUntilIdle();
     }
 
     void stepsArePlayedForthAndBack() {
