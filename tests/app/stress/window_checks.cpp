@@ -116,7 +116,10 @@ QString problemOfLesson(MainWindow& window) {
     const auto* panel = window.findChild<QWidget*>("lessons");
     if (window.findChild<QWidget*>("lessons.list")->isVisibleTo(panel) == player.playing())
         return "the panel of lessons shows a lesson that is not played, or a list while one is";
+    auto* dock = window.findChild<QDockWidget*>("dock.lessons");
     if (!player.playing()) {
+        if (!window.isFullScreen() && window.dockWidgetArea(dock) != Qt::RightDockWidgetArea)
+            return "the panel of lessons is not in its place";
         for (int side = 0; side < 4; ++side)
             if (window.findChild<QWidget*>(QStringLiteral("lessons.outline.%1").arg(side))->isVisible())
                 return "something is outlined without a lesson";
