@@ -83,9 +83,9 @@ std::vector<StressAction> LessonActions::actions() {
         };
     };
     return {{"enter a lesson", 70, own(&LessonActions::enter)},
-            {"next", 130, click("lessons.next")},
+            {"next", 330, click("lessons.next")},
             {"back", 45, click("lessons.back")},
-            {"skip", 90, click("lessons.skip")},
+            {"skip", 170, click("lessons.skip")},
             {"reset", 40, click("lessons.reset")},
             {"hint", 20, click("lessons.hint")},
             {"answer", 70, own(&LessonActions::answer)},
@@ -205,7 +205,7 @@ QString LessonActions::problemAtRest() {
     }
     player.reset();
     if (bytes() != began) return "the second reset is another document: " + difference(bytes(), began);
-    if (m_own && ++m_rests % 3 == 0) player.leave();
+    if (m_own && ++m_rests % 6 == 0) player.leave();
     return {};
 }
 
