@@ -130,7 +130,7 @@ void LessonPlayer::enterFolder(const QString& folder) {
                                  MessageEnd::withStudy(lessonTopic));
 }
 
-void LessonPlayer::enter(const Lesson& lesson) {
+void LessonPlayer::enter(const Lesson& lesson, std::size_t first) {
     if (m_parts.sessions.saving()) {
         m_parts.messages.showMessage(MessageKind::info,
                                      tr("The session is being saved. Begin the lesson once that is done."),
@@ -141,6 +141,7 @@ void LessonPlayer::enter(const Lesson& lesson) {
     if (!m_before || m_before->study) leaveNow();
     m_parts.messages.takeBack(lessonTopic);
     m_entering = lesson;
+    m_first = first;
     m_asking = true;
     m_parts.openStudy.openSimulatedScan(lesson.begins);
     m_asking = false;
@@ -161,7 +162,7 @@ void LessonPlayer::begin() {
     m_progress.assign(m_lesson->steps.size(), {});
     m_parts.chooseFace(Face::teach);
     m_parts.stage.enter();
-    goTo(0, std::nullopt);
+    goTo(m_first, m_first > 0 ? std::optional(documentBefore(*m_lesson, m_first)) : std::nullopt);
     emit playingChanged(true);
 }
 
@@ -211,7 +212,9 @@ void LessonPlayer::next() {
 }
 
 void LessonPlayer::back() {
-    if (m_lesson && m_step > 0) goTo(m_step - 1, m_progress.at(m_step - 1).began);
+    if (!m_lesson || m_step == 0) return;
+    const auto& began = m_progress.at(m_step - 1).began;
+    goTo(m_step - 1, began ? *began : documentBefore(*m_lesson, m_step - 1));
 }
 
 void LessonPlayer::solve() {

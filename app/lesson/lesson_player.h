@@ -63,9 +63,9 @@ public:
 
     /// The lessons that come with the program; read when they are asked for first.
     [[nodiscard]] const std::vector<Lesson>& lessons();
-    /// Begins a lesson, which must hold its rules. Leaves one that is played. Says in a message if a session is just
-    /// being saved, and then does nothing.
-    void enter(const Lesson& lesson);
+    /// Begins a lesson, which must hold its rules, with one of its steps. Leaves one that is played. Says in a message
+    /// if a session is just being saved, and then does nothing.
+    void enter(const Lesson& lesson, std::size_t first = 0);
     /// Begins the lesson in a folder, or says in a message why not.
     void enterFolder(const QString& folder);
     /// Ends the lesson and brings the person's own work back. Does nothing if none is played. If a study is being
@@ -126,6 +126,7 @@ private:
     Parts m_parts;
     std::optional<std::vector<Lesson>> m_lessons;
     std::optional<Lesson> m_entering;  ///< while its scan is being made
+    std::size_t m_first = 0;           ///< the step with which it begins
     bool m_asking = false;             ///< while this object asks for a study
     bool m_arriving = false;           ///< while the study of m_entering replaces the present one
     std::optional<Lesson> m_lesson;

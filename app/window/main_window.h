@@ -31,6 +31,7 @@ class EditorEarlyLight;
 class EditorOtfs;
 class FullScreen;
 class HistoryControls;
+class LessonAuthor;
 class LessonPlayer;
 class LessonStage;
 class LoadingPicture;
@@ -103,6 +104,7 @@ public:
     /// Review and Teach.
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
     [[nodiscard]] LessonPlayer& lessonPlayer() { return *m_lessons; }
+    [[nodiscard]] LessonAuthor& lessonAuthor() { return *m_lessonAuthor; }
 
     /// What Escape ends. A part that begins something that Escape ends adds itself.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
@@ -202,6 +204,7 @@ private:
     std::unique_ptr<WindowFaces> m_faces;
     std::unique_ptr<LessonStage> m_lessonStage;
     std::unique_ptr<LessonPlayer> m_lessons;
+    std::unique_ptr<LessonAuthor> m_lessonAuthor;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown
     bool m_shown = false;

@@ -38,8 +38,9 @@ struct LessonFiles {
 
 /// The files that lessonFrom() reads back. What steps set stands in lesson.json itself.
 [[nodiscard]] LessonFiles filesOf(const Lesson& lesson);
-/// Writes the files of a lesson into a folder, each whole or not at all; the folder is made if it is not there. Fails
-/// (unwritable) if it cannot be written, or if the lesson could not be read again. Other files in the folder stay.
+/// Writes the files of a lesson into a folder, each whole or not at all. A folder that is not there yet appears whole
+/// or not at all. Fails (unwritable) if it cannot be written, or if the lesson could not be read again. Other files in
+/// the folder stay.
 [[nodiscard]] Result<void> writeLesson(const std::string& folder, const Lesson& lesson);
 
 }  // namespace echolucent

@@ -11,6 +11,7 @@
 #include "io/files/input_file.h"
 #include "io/json/json_fields.h"
 #include "io/lesson/lesson_file.h"
+#include "io/lesson/lesson_json.h"
 #include "io/lesson/lesson_text.h"
 
 namespace echolucent {
@@ -236,20 +237,6 @@ private:
         return condition;
     }
 
-    static bool takeValue(const json& value, DocumentValue& taken) {
-        if (value.is_null())
-            taken = std::monostate{};
-        else if (value.is_boolean())
-            taken = value.get<bool>();
-        else if (value.is_number())
-            taken = value.get<double>();
-        else if (value.is_string())
-            taken = value.get<std::string>();
-        else
-            return false;
-        return true;
-    }
-
     Result<void> readTexts(Lesson& lesson) {
         std::vector<std::string> ids, images;
         for (const LessonStep& step : lesson.steps) ids.push_back(step.id);
@@ -280,6 +267,20 @@ std::optional<std::size_t> limitOf(const std::string& name) {
 }
 
 }  // namespace
+
+bool takeValue(const json& value, DocumentValue& taken) {
+    if (value.is_null())
+        taken = std::monostate{};
+    else if (value.is_boolean())
+        taken = value.get<bool>();
+    else if (value.is_number())
+        taken = value.get<double>();
+    else if (value.is_string())
+        taken = value.get<std::string>();
+    else
+        return false;
+    return true;
+}
 
 Result<LessonFiles> lessonFilesIn(const std::string& folder) {
     const auto refuse = [&](const std::string& file, const std::string& problem) {

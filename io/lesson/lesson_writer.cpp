@@ -3,6 +3,7 @@
 
 #include "io/document/document_paths.h"
 #include "io/lesson/lesson_file.h"
+#include "io/lesson/lesson_json.h"
 #include "io/lesson/lesson_text.h"
 #include "io/output/atomic_file.h"
 
@@ -42,6 +43,12 @@ ordered_json conditionJson(const LessonCondition& condition) {
 
 ordered_json partJson(const Document& from, const Document& to) { return ordered_json::parse(partBetween(from, to)); }
 
+tl::unexpected<Failure> unwritable(const std::string& folder, const std::string& problem) {
+    return fail(FailureKind::unwritable, folder, {}, problem);
+}
+
+}  // namespace
+
 ordered_json lessonJson(const Lesson& lesson) {
     const auto& scan = std::get<SimulatedScan>(lesson.begins.study);
     ordered_json object{{"format", lessonFormatName},
@@ -64,12 +71,6 @@ ordered_json lessonJson(const Lesson& lesson) {
     return object;
 }
 
-tl::unexpected<Failure> unwritable(const std::string& folder, const std::string& problem) {
-    return fail(FailureKind::unwritable, folder, {}, problem);
-}
-
-}  // namespace
-
 LessonFiles filesOf(const Lesson& lesson) {
     LessonFiles files;
     files.bytes = lesson.images;
@@ -89,12 +90,21 @@ Result<void> writeLesson(const std::string& folder, const Lesson& lesson) {
     for (const auto& [name, bytes] : files.bytes)
         if (name == lessonFileName && bytes.size() > largestLessonFile)
             return unwritable(folder, "would be too large to be opened again");
+    namespace fs = std::filesystem;
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    const bool isThere = fs::exists(folder, error);
+    const fs::path whole = fs::path(folder).has_filename() ? fs::path(folder) : fs::path(folder).parent_path();
+    // A new folder gets its name once it is whole.
+    const fs::path place = isThere ? whole : fs::path(whole.string() + ".unfinished");
+    fs::create_directories(place, error);
     if (error) return unwritable(folder, "cannot be made: " + error.message());
     for (const auto& [name, bytes] : files.bytes)
-        if (auto written = writeFileAtomically((std::filesystem::path(folder) / name).string(), bytes); !written)
+        if (auto written = writeFileAtomically((place / name).string(), bytes); !written) {
+            if (!isThere) fs::remove_all(place, error);
             return written;
+        }
+    if (!isThere) fs::rename(place, whole, error);
+    if (error) return unwritable(folder, "cannot be made: " + error.message());
     return {};
 }
 

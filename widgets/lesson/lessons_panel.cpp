@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QRadioButton>
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/lesson/lesson_editor.h"
 #include "widgets/lesson/lesson_text_view.h"
 
 namespace echolucent {
@@ -50,11 +52,13 @@ QToolButton* tool(const QString& text, const QString& name, const QString& tip, 
 
 }  // namespace
 
-LessonsPanel::LessonsPanel(QWidget* parent) : QWidget(parent), m_pages(new QStackedWidget(this)) {
+LessonsPanel::LessonsPanel(QWidget* parent)
+    : QWidget(parent), m_pages(new QStackedWidget(this)), m_editor(new LessonEditor(m_pages)) {
     setObjectName("lessons");
     setAccessibleName(tr("Lessons"));
     m_pages->addWidget(createList());
     m_pages->addWidget(createPage());
+    m_pages->addWidget(m_editor);
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_pages);
 }
@@ -79,12 +83,45 @@ QWidget* LessonsPanel::createList() {
     column->addWidget(m_list, 1);
     column->addWidget(m_summary);
     column->addLayout(row);
+    column->addWidget(createAuthorRows(page));
     connect(m_list, &QListWidget::currentRowChanged, this, &LessonsPanel::showEntry);
     connect(m_list, &QListWidget::itemActivated, this, [this] { emit beginRequested(m_list->currentRow()); });
     connect(m_begin, &QPushButton::clicked, this, [this] { emit beginRequested(m_list->currentRow()); });
     connect(open, &QToolButton::clicked, this, &LessonsPanel::openRequested);
     showEntry(-1);
     return page;
+}
+
+/// The buttons of those who write lessons.
+QWidget* LessonsPanel::createAuthorRows(QWidget* page) {
+    auto* rows = new QWidget(page);
+    auto* column = new QVBoxLayout(rows);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_new = named(new QPushButton(tr("New lesson from my snapshots…"), rows), "lessons.new",
+                  tr("New lesson from my snapshots"),
+                  tr("Makes a lesson with a step a snapshot, and opens it to be written"));
+    m_edit = tool(tr("Edit…"), "lessons.edit", tr("Opens a lesson to be written"), rows);
+    m_edit->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(m_edit);
+    m_editCopy = menu->addAction(tr("A copy of the chosen lesson"));
+    m_editCopy->setObjectName("lessons.editCopy");
+    QAction* folder = menu->addAction(tr("A lesson in a folder…"));
+    folder->setObjectName("lessons.editFolder");
+    m_edit->setMenu(menu);
+    m_draft = tool(tr("Continue my draft"), "lessons.draft", tr("Opens what was written and not saved"), rows);
+    m_draft->setPopupMode(QToolButton::InstantPopup);
+    m_draft->setMenu(new QMenu(m_draft));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_edit);
+    row->addStretch(1);
+    row->addWidget(m_draft);
+    column->addWidget(m_new);
+    column->addLayout(row);
+    connect(m_new, &QPushButton::clicked, this, &LessonsPanel::newRequested);
+    connect(m_editCopy, &QAction::triggered, this, [this] { emit editCopyRequested(m_list->currentRow()); });
+    connect(folder, &QAction::triggered, this, &LessonsPanel::editFolderRequested);
+    setDrafts({});
+    return rows;
 }
 
 QWidget* LessonsPanel::createPage() {
@@ -188,7 +225,23 @@ void LessonsPanel::setLessons(const QList<LessonEntry>& lessons) {
 void LessonsPanel::showEntry(int lesson) {
     m_summary->setText(m_lessons.value(lesson).summary);
     enableOrSayWhy(*m_begin, lesson >= 0, tr("Choose a lesson."));
+    enableOrSayWhy(*m_editCopy, lesson >= 0, tr("Choose a lesson."));
 }
+
+void LessonsPanel::setWhyNoLesson(const QString& sentence) { enableOrSayWhy(*m_new, sentence.isEmpty(), sentence); }
+
+void LessonsPanel::setDrafts(const QList<LessonDraftEntry>& drafts) {
+    QMenu* menu = m_draft->menu();
+    menu->clear();
+    for (const LessonDraftEntry& draft : drafts) {
+        QAction* action = menu->addAction(literalMenuText(draft.title.isEmpty() ? tr("without a title") : draft.title));
+        action->setObjectName(QStringLiteral("lessons.draft.%1").arg(menu->actions().size() - 1));
+        connect(action, &QAction::triggered, this, [this, folder = draft.folder] { emit draftRequested(folder); });
+    }
+    enableOrSayWhy(*m_draft, !drafts.isEmpty(), tr("Nothing was left unsaved."));
+}
+
+void LessonsPanel::showEditor() { m_pages->setCurrentWidget(m_editor); }
 
 void LessonsPanel::showList() { m_pages->setCurrentIndex(0); }
 

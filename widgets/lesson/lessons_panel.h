@@ -8,6 +8,7 @@
 #include <QStringList>
 #include <QWidget>
 
+class QAction;
 class QLabel;
 class QListWidget;
 class QPushButton;
@@ -18,6 +19,7 @@ class QVBoxLayout;
 
 namespace echolucent {
 
+class LessonEditor;
 class LessonTextView;
 
 /// A lesson in the list.
@@ -38,10 +40,16 @@ struct LessonPage {
     QMap<QString, QByteArray> images{};
 };
 
-/// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open; lessons.lesson, lessons.title,
-/// lessons.progress, lessons.leave, lessons.scroll, lessons.text, lessons.hint, lessons.hintText, lessons.question,
-/// lessons.answer.N, lessons.verdict, lessons.explanation, lessons.done, lessons.back, lessons.next, lessons.skip,
-/// lessons.reset. No setter emits a signal.
+/// A lesson that a person has begun to write.
+struct LessonDraftEntry {
+    QString title, folder;
+};
+
+/// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open, lessons.new, lessons.edit,
+/// lessons.editCopy, lessons.editFolder, lessons.draft, lessons.draft.N; lessons.lesson,
+/// lessons.title, lessons.progress, lessons.leave, lessons.scroll, lessons.text, lessons.hint, lessons.hintText,
+/// lessons.question, lessons.answer.N, lessons.verdict, lessons.explanation, lessons.done, lessons.back, lessons.next,
+/// lessons.skip, lessons.reset; those of LessonEditor. No setter emits a signal.
 class LessonsPanel : public QWidget {
     Q_OBJECT
 
@@ -58,6 +66,13 @@ public:
     void setLetters(double times);
     [[nodiscard]] double letters() const { return m_letters; }
 
+    [[nodiscard]] LessonEditor& editor() { return *m_editor; }
+    void showEditor();
+    /// Whether a lesson can be made of the present snapshots; if not, a sentence says why.
+    void setWhyNoLesson(const QString& sentence);
+    /// The lessons that can be continued, newest first.
+    void setDrafts(const QList<LessonDraftEntry>& drafts);
+
 signals:
     /// The panel is seen for the first time, and needs its list.
     void listWanted();
@@ -69,6 +84,13 @@ signals:
     void backRequested();
     void solveRequested();
     void resetRequested();
+    /// A lesson is to be made of the snapshots.
+    void newRequested();
+    /// A copy of a lesson of the list is to be edited.
+    void editCopyRequested(int lesson);
+    /// A lesson in a folder is to be edited.
+    void editFolderRequested();
+    void draftRequested(const QString& folder);
     /// The question was answered right.
     void answeredRight();
 
@@ -77,6 +99,7 @@ protected:
 
 private:
     [[nodiscard]] QWidget* createList();
+    [[nodiscard]] QWidget* createAuthorRows(QWidget* page);
     [[nodiscard]] QWidget* createPage();
     [[nodiscard]] QWidget* createText();
     [[nodiscard]] QWidget* createButtons();
@@ -94,6 +117,10 @@ private:
     QListWidget* m_list = nullptr;
     QLabel *m_summary = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_progress = nullptr, *m_done = nullptr;
     QPushButton *m_begin = nullptr, *m_next = nullptr;
+    LessonEditor* m_editor;
+    QPushButton* m_new = nullptr;
+    QToolButton *m_edit = nullptr, *m_draft = nullptr;
+    QAction* m_editCopy = nullptr;
     QToolButton *m_back = nullptr, *m_solve = nullptr, *m_reset = nullptr, *m_hint = nullptr;
     QScrollArea* m_scroll = nullptr;
     LessonTextView *m_text = nullptr, *m_hintText = nullptr, *m_question = nullptr, *m_explanation = nullptr;

@@ -128,10 +128,18 @@ TEST(LessonFile, ReadsBackWhatItWrote) {
     EXPECT_TRUE(*again == *lesson);
     EXPECT_EQ(filesOf(*again).bytes, filesOf(*lesson).bytes);
 
+    EXPECT_FALSE(fs::exists(place + ".unfinished"));
+
     Lesson heading = *lesson;
     heading.texts[0].steps[0].text = "Look\n## again {#see}";
     EXPECT_FALSE(writeLesson(place, heading)) << "it would be read as another step";
     EXPECT_TRUE(*readLesson(place) == *lesson) << "what was there stays";
+    std::ofstream(folder.path() + "/file") << "no folder";
+    EXPECT_FALSE(writeLesson(folder.path() + "/file/new", *lesson));
+    Lesson unwritable = *lesson;
+    unwritable.images["wall.png/a.png"] = "PNG";
+    EXPECT_FALSE(writeLesson(folder.path() + "/half", unwritable));
+    EXPECT_FALSE(fs::exists(folder.path() + "/half")) << "a new folder is whole";
 }
 
 TEST(LessonFile, AStepMayTakeItsDocumentFromASession) {
