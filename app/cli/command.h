@@ -26,6 +26,7 @@ void addOtfCommand(CLI::App& program, Action& action, const Invocation& invocati
 void addParametersCommand(CLI::App& program, Action& action);
 void addRenderCommand(CLI::App& program, Action& action);
 void addCompareCommand(CLI::App& program, Action& action);
+void addLessonCommand(CLI::App& program, Action& action, const Invocation& invocation);
 void addPhantomCommand(CLI::App& program, Action& action);
 void addQuietCommand(CLI::App& program, Action& action);
 void addSweepCommand(CLI::App& program, Action& action, const Invocation& invocation);

@@ -15,6 +15,7 @@ void addCommands(CLI::App& program, echolucent::cli::Action& action, const echol
     addParametersCommand(program, action);
     addRenderCommand(program, action);
     addCompareCommand(program, action);
+    addLessonCommand(program, action, invocation);
     addQuietCommand(program, action);
     addPhantomCommand(program, action);
     addStudyProgram(program);

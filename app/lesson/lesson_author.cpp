@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/compare/compare_room.h"
+#include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
 #include "app/sessions/snapshots.h"
 #include "app/settings/settings.h"
@@ -108,6 +109,10 @@ LessonAuthor::LessonAuthor(const Parts& parts, QObject* parent)
             QFileDialog::getExistingDirectory(&m_parts.window, tr("Edit a lesson"), m_parts.settings.lastSaveFolder());
         if (!folder.isEmpty()) editFolder(folder);
     });
+    connect(&panel, &LessonsPanel::handoutRequested, this, [this](int lesson) {
+        if (lesson >= 0 && static_cast<std::size_t>(lesson) < m_parts.player.lessons().size())
+            m_parts.handouts.choose(m_parts.player.lessons()[static_cast<std::size_t>(lesson)]);
+    });
     // Queued: the menu that asks for a draft is filled again.
     connect(&panel, &LessonsPanel::draftRequested, this, &LessonAuthor::continueDraft, Qt::QueuedConnection);
     connectEditor();
@@ -152,6 +157,9 @@ void LessonAuthor::connectEditor() {
     connect(&editor, &LessonEditor::showRequested, this, &LessonAuthor::show);
     connect(&editor, &LessonEditor::playRequested, this, &LessonAuthor::play);
     connect(&editor, &LessonEditor::saveRequested, this, &LessonAuthor::chooseAndSave);
+    connect(&editor, &LessonEditor::handoutRequested, this, [this] {
+        if (m_draft) m_parts.handouts.choose(trimmed(m_draft->lesson));
+    });
     connect(&editor, &LessonEditor::discardRequested, this, &LessonAuthor::discard);
     connect(&editor, &LessonEditor::closeRequested, this, &LessonAuthor::close);
 }

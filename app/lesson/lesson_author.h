@@ -14,6 +14,7 @@ namespace echolucent {
 
 class CompareRoom;
 class DocumentModel;
+class LessonHandouts;
 class LessonPlayer;
 class LessonsPanel;
 class MessageBar;
@@ -40,6 +41,7 @@ public:
         Snapshots& snapshots;
         CompareRoom& compare;
         LessonPlayer& player;
+        LessonHandouts& handouts;
         LessonsPanel& panel;
         Settings& settings;
         MessageBar& messages;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/pages/html_text.h"
+#include "app/pages/markdown_markup.h"
 #include "processing/plots/plot_axis.h"
 #include "processing/plots/series_style.h"
 
@@ -19,7 +20,7 @@ namespace {
 constexpr std::string_view style = R"(
 :root{color-scheme:light dark}
 body{font:15px/1.5 system-ui,sans-serif;max-width:1600px;margin:2rem auto;padding:0 1rem;background:#fff;color:#222}
-h1{font-size:1.7rem;margin-bottom:.3rem}h2{font-size:1.25rem;margin-top:2.2rem}p{max-width:52rem}
+h1{font-size:1.7rem;margin-bottom:.3rem}h2{font-size:1.25rem;margin-top:2.2rem}p,ul,ol{max-width:52rem}
 .scroll{overflow-x:auto}table{border-collapse:collapse;margin:1rem 0;font-size:13.5px}
 caption{text-align:left;padding-bottom:.4rem;color:#555}
 th,td{padding:.25rem .7rem;border-bottom:1px solid #d5d9de;text-align:left;vertical-align:top}
@@ -204,6 +205,10 @@ void HtmlPage::heading(const std::string& text) { add("<h2>" + escaped(text) + "
 void HtmlPage::paragraph(const std::string& text) { add("<p>" + escaped(text) + "</p>\n"); }
 
 void HtmlPage::lines(const std::string& text) { add("<p class=\"lines\">" + escaped(text) + "</p>\n"); }
+
+void HtmlPage::markdown(const std::string& text, const std::map<std::string, std::string>& images) {
+    add(markdownMarkup(text, images));
+}
 
 void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,
                      const std::string& caption, const std::vector<int>& widths) {

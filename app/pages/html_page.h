@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ public:
     void paragraph(const std::string& text);
     /// Adds a text that keeps its ends of lines.
     void lines(const std::string& text);
+    /// Adds a Markdown text as markdownMarkup() shows it, with the images of these names.
+    void markdown(const std::string& text, const std::map<std::string, std::string>& images = {});
     /// Adds a table. Columns of numbers are right-aligned. `widths` are those of the columns, percent of the table;
     /// without them columns are as wide as they need.
     void table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,

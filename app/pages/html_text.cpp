@@ -60,10 +60,14 @@ std::string escaped(std::string_view text) {
     return safe;
 }
 
+std::string dataUri(std::string_view type, std::string_view bytes) {
+    return "data:" + std::string(type) + ";base64," + base64(bytes);
+}
+
 std::string pngDataUri(int width, int height, std::span<const std::uint8_t> rgb) {
     const auto few = indexed(rgb);
-    return "data:image/png;base64," +
-           base64(few ? palettePngBytes(width, height, few->indices, few->palette) : pngBytes(width, height, rgb));
+    return dataUri("image/png",
+                   few ? palettePngBytes(width, height, few->indices, few->palette) : pngBytes(width, height, rgb));
 }
 
 }  // namespace echolucent

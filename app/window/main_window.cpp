@@ -17,6 +17,7 @@
 #include "app/explain/tube_core_page.h"
 #include "app/explain/tube_cores_in_pictures.h"
 #include "app/lesson/lesson_author.h"
+#include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_early_light.h"

@@ -32,6 +32,7 @@ class EditorOtfs;
 class FullScreen;
 class HistoryControls;
 class LessonAuthor;
+class LessonHandouts;
 class LessonPlayer;
 class LessonStage;
 class LoadingPicture;
@@ -105,6 +106,7 @@ public:
     [[nodiscard]] WindowFaces& faces() { return *m_faces; }
     [[nodiscard]] LessonPlayer& lessonPlayer() { return *m_lessons; }
     [[nodiscard]] LessonAuthor& lessonAuthor() { return *m_lessonAuthor; }
+    [[nodiscard]] LessonHandouts& lessonHandouts() { return *m_lessonHandouts; }
 
     /// What Escape ends. A part that begins something that Escape ends adds itself.
     [[nodiscard]] EscapeOrder& escapeOrder() { return m_escapes; }
@@ -204,6 +206,7 @@ private:
     std::unique_ptr<WindowFaces> m_faces;
     std::unique_ptr<LessonStage> m_lessonStage;
     std::unique_ptr<LessonPlayer> m_lessons;
+    std::unique_ptr<LessonHandouts> m_lessonHandouts;
     std::unique_ptr<LessonAuthor> m_lessonAuthor;
     bool m_idle = true;               ///< as it was told last
     bool m_planesTabWasThere = true;  ///< before the comparison was shown

@@ -1,5 +1,6 @@
 // Lessons in the window: their stage and their player.
 #include "app/lesson/lesson_author.h"
+#include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
 #include "app/lesson/lesson_stage.h"
 #include "app/window/full_screen.h"
@@ -19,9 +20,11 @@ void MainWindow::createLessons() {
         *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_lessonStage, *m_widgets.messages,
         [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
     connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
+    m_lessonHandouts = std::make_unique<LessonHandouts>(
+        LessonHandouts::Parts{*this, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names});
     m_lessonAuthor = std::make_unique<LessonAuthor>(
         LessonAuthor::Parts{*this, m_document, m_openStudy, m_sessions->snapshots(), *m_compare, *m_lessons,
-                            *m_widgets.lessons, m_settings, *m_widgets.messages, m_names});
+                            *m_lessonHandouts, *m_widgets.lessons, m_settings, *m_widgets.messages, m_names});
     // Panels that are moved on the full screen would be in their places before once it is left.
     connect(m_lessons.get(), &LessonPlayer::aboutToArrange, m_fullScreen, &FullScreen::leave);
 }

@@ -150,6 +150,8 @@ QWidget* LessonEditor::createFoot() {
                    tr("Writes the lesson into a folder"));
     auto* close = editorButton(tr("Close"), "close",
                                tr("Shows the list of lessons. What was not saved is kept as a draft"), foot);
+    m_handout = editorButton(tr("Save handout…"), "handout",
+                             tr("Writes the lesson as a page that opens without a network"), foot);
     auto* discard = editorButton(tr("Discard"), "discard", tr("Throws away what was not saved"), foot);
     auto* first = new QHBoxLayout;
     first->addWidget(m_play);
@@ -157,6 +159,7 @@ QWidget* LessonEditor::createFoot() {
     first->addStretch(1);
     first->addWidget(close);
     auto* second = new QHBoxLayout;
+    second->addWidget(m_handout);
     second->addStretch(1);
     second->addWidget(discard);
     column->addWidget(m_problem);
@@ -164,6 +167,7 @@ QWidget* LessonEditor::createFoot() {
     column->addLayout(second);
     connect(m_play, &QPushButton::clicked, this, &LessonEditor::playRequested);
     connect(m_save, &QPushButton::clicked, this, &LessonEditor::saveRequested);
+    connect(m_handout, &QToolButton::clicked, this, &LessonEditor::handoutRequested);
     connect(discard, &QToolButton::clicked, this, &LessonEditor::discardRequested);
     connect(close, &QToolButton::clicked, this, &LessonEditor::closeRequested);
     return foot;
@@ -268,7 +272,9 @@ void LessonEditor::setProblems(const std::vector<LessonProblem>& problems) {
             first = tr("%1: %2").arg(QString::fromStdString(m_draft.lesson.texts[*problem.language].language), first);
     }
     showProblem(*m_problem, first);
-    for (QWidget* each : {m_play, m_save}) enableOrSayWhy(*each, m_problems.empty(), first);
+    for (QWidget* each :
+         {static_cast<QWidget*>(m_play), static_cast<QWidget*>(m_save), static_cast<QWidget*>(m_handout)})
+        enableOrSayWhy(*each, m_problems.empty(), first);
     showSteps();
     showStepProblems();
 }

@@ -20,7 +20,7 @@ namespace echolucent {
 class LessonStepEditor;
 
 /// Objects: lessons.editor (this); lessons.editor.title, .summary, .minutes, .language, .steps, .add, .remove, .up,
-/// .down, .problem.title, .problem.summary, .problem, .play, .save, .discard, .close, .scroll; those of
+/// .down, .problem.title, .problem.summary, .problem, .play, .save, .handout, .discard, .close, .scroll; those of
 /// LessonStepEditor. No setter emits a signal.
 class LessonEditor : public QWidget {
     Q_OBJECT
@@ -48,6 +48,7 @@ signals:
     void solveRequested();
     void playRequested();
     void saveRequested();
+    void handoutRequested();
     void discardRequested();
     void closeRequested();
 
@@ -72,7 +73,7 @@ private:
     QSpinBox* m_minutes = nullptr;
     QComboBox* m_language = nullptr;
     QListWidget* m_steps = nullptr;
-    QToolButton *m_add = nullptr, *m_remove = nullptr, *m_up = nullptr, *m_down = nullptr;
+    QToolButton *m_add = nullptr, *m_remove = nullptr, *m_up = nullptr, *m_down = nullptr, *m_handout = nullptr;
     QPushButton *m_play = nullptr, *m_save = nullptr;
     QLabel *m_titleProblem = nullptr, *m_summaryProblem = nullptr, *m_problem = nullptr;
     LessonStepEditor* m_step = nullptr;

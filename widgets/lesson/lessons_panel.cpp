@@ -111,15 +111,19 @@ QWidget* LessonsPanel::createAuthorRows(QWidget* page) {
     m_draft = tool(tr("Continue my draft"), "lessons.draft", tr("Opens what was written and not saved"), rows);
     m_draft->setPopupMode(QToolButton::InstantPopup);
     m_draft->setMenu(new QMenu(m_draft));
+    m_handout = tool(tr("Save handout…"), "lessons.handout",
+                     tr("Writes the chosen lesson as a page that opens without a network"), rows);
     auto* row = new QHBoxLayout;
     row->addWidget(m_edit);
     row->addStretch(1);
     row->addWidget(m_draft);
+    column->addWidget(m_handout, 0, Qt::AlignRight);
     column->addWidget(m_new);
     column->addLayout(row);
     connect(m_new, &QPushButton::clicked, this, &LessonsPanel::newRequested);
     connect(m_editCopy, &QAction::triggered, this, [this] { emit editCopyRequested(m_list->currentRow()); });
     connect(folder, &QAction::triggered, this, &LessonsPanel::editFolderRequested);
+    connect(m_handout, &QToolButton::clicked, this, [this] { emit handoutRequested(m_list->currentRow()); });
     setDrafts({});
     return rows;
 }
@@ -226,6 +230,7 @@ void LessonsPanel::showEntry(int lesson) {
     m_summary->setText(m_lessons.value(lesson).summary);
     enableOrSayWhy(*m_begin, lesson >= 0, tr("Choose a lesson."));
     enableOrSayWhy(*m_editCopy, lesson >= 0, tr("Choose a lesson."));
+    enableOrSayWhy(*m_handout, lesson >= 0, tr("Choose a lesson."));
 }
 
 void LessonsPanel::setWhyNoLesson(const QString& sentence) { enableOrSayWhy(*m_new, sentence.isEmpty(), sentence); }

@@ -46,7 +46,7 @@ struct LessonDraftEntry {
 };
 
 /// Objects: lessons (this), lessons.list, lessons.summary, lessons.begin, lessons.open, lessons.new, lessons.edit,
-/// lessons.editCopy, lessons.editFolder, lessons.draft, lessons.draft.N; lessons.lesson,
+/// lessons.editCopy, lessons.editFolder, lessons.draft, lessons.draft.N, lessons.handout; lessons.lesson,
 /// lessons.title, lessons.progress, lessons.leave, lessons.scroll, lessons.text, lessons.hint, lessons.hintText,
 /// lessons.question, lessons.answer.N, lessons.verdict, lessons.explanation, lessons.done, lessons.back, lessons.next,
 /// lessons.skip, lessons.reset; those of LessonEditor. No setter emits a signal.
@@ -91,6 +91,7 @@ signals:
     /// A lesson in a folder is to be edited.
     void editFolderRequested();
     void draftRequested(const QString& folder);
+    void handoutRequested(int lesson);
     /// The question was answered right.
     void answeredRight();
 
@@ -119,7 +120,7 @@ private:
     QPushButton *m_begin = nullptr, *m_next = nullptr;
     LessonEditor* m_editor;
     QPushButton* m_new = nullptr;
-    QToolButton *m_edit = nullptr, *m_draft = nullptr;
+    QToolButton *m_edit = nullptr, *m_draft = nullptr, *m_handout = nullptr;
     QAction* m_editCopy = nullptr;
     QToolButton *m_back = nullptr, *m_solve = nullptr, *m_reset = nullptr, *m_hint = nullptr;
     QScrollArea* m_scroll = nullptr;

@@ -9,6 +9,7 @@
 #include <QPlainTextEdit>
 
 #include "app/lesson/lesson_author.h"
+#include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
 #include "app/sessions/session_keeping.h"
 #include "app/sessions/snapshots.h"
@@ -110,6 +111,18 @@ private slots:
         click("lessons.editor.close");
         QVERIFY(!child("lessons.draft")->isEnabled());  // all of it is saved
         QVERIFY(child("lessons.list")->isVisible());
+
+        // Its handout shows the lesson's scan, whatever is open.
+        open(m_file);
+        const QString page = temporaryFolder().filePath("three curves.html");
+        window().lessonHandouts().save(*saved, page);
+        waitUntilIdle();
+        QFile handout(page);
+        QVERIFY(handout.open(QIODevice::ReadOnly));
+        const QByteArray text = handout.readAll();
+        QVERIFY(text.contains("<h2>2. Squared</h2>") && text.contains("<strong>1. (b)</strong> Yes"));
+        QVERIFY(!text.contains("heart"));
+        QCOMPARE(text.count("<img "), qsizetype{3});
     }
 
     void stepsAreAddedMovedAndShown() {
