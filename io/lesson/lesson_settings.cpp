@@ -20,7 +20,13 @@ bool isShownWhole(const ordered_json& value) {
     return !value.is_structured() || (value.is_array() && std::ranges::all_of(value, isPlain));
 }
 
+/// Whether an entry of a list has nothing here: a list replaces the whole list, and names all that an entry could have.
+bool isMissing(const ordered_json& value, const std::string& path) {
+    return path.find('[') != std::string::npos && (value.is_null() || value.empty());
+}
+
 void addSettings(const ordered_json& value, const std::string& path, std::vector<LessonSetting>& settings) {
+    if (isMissing(value, path)) return;
     if (value.is_array() && value.size() > longestShownList)
         settings.push_back({path, fmt::format("{} entries", value.size())});
     else if (value.is_string())

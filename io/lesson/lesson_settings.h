@@ -15,8 +15,8 @@ struct LessonSetting {
     friend bool operator==(const LessonSetting&, const LessonSetting&) = default;
 };
 
-/// By step: what differs from the step before once that was solved; of the first step, from the program's defaults. A
-/// step that sets nothing has none.
+/// By step: what differs from the step before once that was solved; of the first step, from the program's defaults. Of
+/// a list all entries are named, without what they do not have. A step that sets nothing has none.
 [[nodiscard]] std::vector<std::vector<LessonSetting>> settingsOf(const Lesson& lesson);
 
 }  // namespace echolucent

@@ -97,6 +97,8 @@ TEST(LessonHandout, HoldsEveryStepAndNothingFromElsewhere) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_LT(page.find("<h2>3. One</h2>"), page.find("<h2>Answers</h2>"));
     EXPECT_GT(page.find("<p>So.</p>"), page.find("<h2>Answers</h2>"));
+    EXPECT_NE(page.find("<td>panes[0].curve</td><td>parabolic</td>"), std::string::npos);
+    EXPECT_EQ(page.find("<td>null</td>"), std::string::npos);
     EXPECT_EQ(page.find("http"), std::string::npos);
     EXPECT_EQ(page.find("href="), std::string::npos);
     EXPECT_EQ(countOfPart(page, " src=\""), countOfPart(page, " src=\"data:image/"));
