@@ -6,6 +6,7 @@
 #include <QUrl>
 
 #include "app/study/open_study.h"
+#include "app/study/study_opening.h"
 #include "app/window/main_window.h"
 #include "app/window/start_of_program.h"
 #include "app/window/start_timer.h"
@@ -35,7 +36,7 @@ QCommandLineOption addOptions(QCommandLineParser& parser) {
     parser.addVersionOption();
     parser.addPositionalArgument(
         QStringLiteral("FILE"),
-        QStringLiteral("A volume, a session, or a folder of DICOM slices; none: a simulated scan."),
+        QStringLiteral("A volume, a session, a lesson, or a folder of DICOM slices; none: a simulated scan."),
         QStringLiteral("[FILE]"));
     QCommandLineOption firstPicture(
         QStringLiteral("first-picture"),
@@ -63,6 +64,16 @@ int printWords(int count, char** arguments) {
     parser.showHelp();
 }
 
+/// If the lesson is refused, the window begins as ever, and says then why.
+void beginLesson(echolucent::MainWindow& window, const QString& folder) {
+    window.open(folder);
+    if (window.openStudy().loading()) return;
+    window.openSimulatedScan();
+    QObject::connect(
+        &window.openStudy(), &echolucent::OpenStudy::studyOpened, &window, [&window, folder] { window.open(folder); },
+        static_cast<Qt::ConnectionType>(Qt::QueuedConnection | Qt::SingleShotConnection));
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -83,10 +94,14 @@ int main(int count, char** arguments) {
     const QCommandLineOption firstPicture = addOptions(parser);
     parser.process(*application);
 
+    const QString file = pathNamed(parser.positionalArguments().value(0));
+    const bool isLesson = !file.isEmpty() && StudyOpening::isLesson(file);
     // The study is read while the window is made: neither waits for the other.
-    MainWindow window({}, [file = pathNamed(parser.positionalArguments().value(0))](OpenStudy& openStudy) {
+    MainWindow window({}, [&file, isLesson](OpenStudy& openStudy) {
+        if (isLesson) return;
         file.isEmpty() ? openStudy.openSimulatedScan() : openStudy.open(QFileInfo(file).absoluteFilePath());
     });
+    if (isLesson) beginLesson(window, file);
     if (parser.isSet(firstPicture)) printStartTimes(window);
     window.show();
     return QApplication::exec();

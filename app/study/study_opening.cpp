@@ -11,6 +11,7 @@
 #include "app/study/recent_pictures.h"
 #include "app/study/study_names.h"
 #include "io/file_formats.h"
+#include "io/lesson/lesson_file.h"
 #include "io/voxels/gzip_file.h"
 #include "processing/one_line.h"
 #include "widgets/controls/message_bar.h"
@@ -109,8 +110,13 @@ void StudyOpening::askForSavedStudy(const SavedStudyProblem& problem) {
         QList<MessageAction>{{tr("Open it all the same"), [openWith, study] { openWith(study, true); }}} + choose);
 }
 
+bool StudyOpening::isLesson(const QString& path) {
+    return QFileInfo::exists(QDir(path).filePath(QString::fromLatin1(lessonFileName)));
+}
+
 void StudyOpening::open(const QString& path, const ReadOptions& options) {
     if (path.isEmpty()) return;
+    if (isLesson(path)) return emit lessonChosen(QFileInfo(path).absoluteFilePath());
     m_parts.openStudy.open(QFileInfo(path).absoluteFilePath(), options);
 }
 

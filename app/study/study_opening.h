@@ -36,8 +36,10 @@ public:
     /// The parts outlive this object, which belongs to the window.
     explicit StudyOpening(const Parts& parts);
 
-    /// Opens a file, a DICOM folder or a session. If the file has no header and no layout is remembered, the message of
-    /// the failure offers to state the layout.
+    /// Whether a path is that of a lesson's folder.
+    [[nodiscard]] static bool isLesson(const QString& path);
+    /// Opens a file, a DICOM folder or a session. Of a lesson's folder only lessonChosen() is emitted. If the file has
+    /// no header and no layout is remembered, the message of the failure offers to state the layout.
     void open(const QString& path, const ReadOptions& options = {});
     /// Opens what was dropped on the window (droppedFiles()), or says why not.
     void openDropped(const QList<QUrl>& urls);
@@ -50,6 +52,8 @@ public:
     void fillRecentFiles(QMenu& menu);
 
 signals:
+    /// The person wants the lesson in this folder.
+    void lessonChosen(const QString& folder);
     /// The person wants to open this file as a curve.
     void curveChosen(const QString& path);
     /// The person wants the presets of a file that is not a volume.

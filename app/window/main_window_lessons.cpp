@@ -20,6 +20,7 @@ void MainWindow::createLessons() {
         *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_lessonStage, *m_widgets.messages,
         [this] { return m_faces->face(); }, [this](Face face) { m_faces->choose(face); }});
     connect(m_lessons.get(), &LessonPlayer::playingChanged, this, &MainWindow::followStrip);
+    connect(m_opening.get(), &StudyOpening::lessonChosen, m_lessons.get(), &LessonPlayer::enterFolder);
     m_lessonHandouts = std::make_unique<LessonHandouts>(
         LessonHandouts::Parts{*this, m_openStudy, m_works, m_settings, *m_widgets.messages, m_names});
     m_lessonAuthor = std::make_unique<LessonAuthor>(
