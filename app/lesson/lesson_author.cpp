@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMainWindow>
+#include <QStandardPaths>
 #include <algorithm>
 #include <utility>
 
@@ -361,7 +362,9 @@ void LessonAuthor::chooseAndSave() {
     if (!m_draft->folder.empty()) return saveTo(QString::fromStdString(m_draft->folder));
     const Lesson none;
     const std::string name = freeLessonId(none, m_draft->lesson.texts.at(m_draft->language).title);
-    QFileDialog dialog(&m_parts.window, tr("Save lesson"), m_parts.settings.lastSaveFolder());
+    const QString last = m_parts.settings.lastSaveFolder();
+    const QString folder = last.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : last;
+    QFileDialog dialog(&m_parts.window, tr("Save lesson"), QFileInfo(folder).isWritable() ? folder : QDir::homePath());
     dialog.setObjectName("saveLesson");
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
@@ -387,6 +390,8 @@ void LessonAuthor::saveTo(const QString& folder) {
     if (const auto written = writeLesson(path, lesson); !written)
         return told(MessageKind::error, QString::fromStdString(written.error().sentence()));
     m_parts.settings.setLastSaveFolder(QFileInfo(folder).absolutePath());
+    m_drafts.discard();
+    m_drafts.begin();
     m_draft->folder = path;
     m_parts.panel.editor().setDraft(*m_draft);
     m_elsewhere = lesson;

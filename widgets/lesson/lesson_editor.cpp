@@ -136,6 +136,10 @@ QWidget* LessonEditor::createSteps() {
         showStep();
         emit edited();
     });
+    // A click beside the steps would choose none.
+    connect(m_steps, &QListWidget::itemSelectionChanged, this, [this] {
+        if (m_steps->currentItem() != nullptr) m_steps->currentItem()->setSelected(true);
+    });
     return box;
 }
 

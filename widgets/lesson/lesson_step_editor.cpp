@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QCompleter>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -144,6 +145,8 @@ QWidget* LessonStepEditor::createTarget() {
     connect(&m_pointing, &TargetPointing::ended, this, [this] {
         m_point->setChecked(false);
         m_point->setText(m_point->accessibleName());
+        for (QWidget* around = this; around != nullptr; around = around->parentWidget())
+            if (auto* dock = qobject_cast<QDockWidget*>(around)) dock->raise();  // the control may be on another panel
     });
     return box;
 }

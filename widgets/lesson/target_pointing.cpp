@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMouseEvent>
+#include <QScrollBar>
 #include <QSet>
 #include <algorithm>
 #include <utility>
@@ -15,6 +16,12 @@ bool isTarget(const QWidget& widget) {
     const QString name = widget.objectName();
     return !name.isEmpty() && !name.startsWith(QLatin1String("qt_")) && !widget.accessibleName().isEmpty() &&
            name.section('.', 0, 0) != QLatin1String("lessons");
+}
+
+/// Whether a click on a widget brings other controls into view.
+bool leadsElsewhere(const QWidget* widget) {
+    return qobject_cast<const QScrollBar*>(widget) != nullptr ||
+           (widget != nullptr && widget->property("dockTab").toBool());
 }
 
 QString wordsOf(const QWidget& widget) {
@@ -60,9 +67,7 @@ void TargetPointing::end() {
     emit ended();
 }
 
-QString TargetPointing::nameUnder(QObject* watched, const QPoint& place) const {
-    auto* widget = qobject_cast<QWidget*>(watched);
-    if (widget == nullptr) widget = QApplication::widgetAt(place);
+QString TargetPointing::nameOf(const QWidget* widget) const {
     for (; widget != nullptr; widget = widget->parentWidget()) {
         if (widget->objectName().section('.', 0, 0) == QLatin1String("lessons")) return {};
         if (isTarget(*widget) && m_window->isAncestorOf(widget)) return widget->objectName();
@@ -72,11 +77,16 @@ QString TargetPointing::nameUnder(QObject* watched, const QPoint& place) const {
 
 bool TargetPointing::eventFilter(QObject* watched, QEvent* event) {
     if (!active()) return false;
-    const auto place = [event] { return static_cast<QMouseEvent*>(event)->globalPosition().toPoint(); };
+    const auto widget = [watched, event]() -> QWidget* {
+        auto* found = qobject_cast<QWidget*>(watched);
+        return found != nullptr ? found
+                                : QApplication::widgetAt(static_cast<QMouseEvent*>(event)->globalPosition().toPoint());
+    };
     switch (event->type()) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick:
-            m_pressed = nameUnder(watched, place());
+            if (leadsElsewhere(widget())) return false;
+            m_pressed = nameOf(widget());
             m_isPressed = true;
             return true;
         case QEvent::MouseButtonRelease: {
@@ -86,7 +96,10 @@ bool TargetPointing::eventFilter(QObject* watched, QEvent* event) {
             if (!name.isEmpty()) emit chosen(name);
             return true;
         }
-        case QEvent::MouseMove: emit pointed(nameUnder(watched, place())); return false;
+        case QEvent::MouseMove:
+            // A widget that takes no mouse hands it to those around it.
+            if (!watched->isWidgetType()) emit pointed(nameOf(widget()));
+            return false;
         case QEvent::ShortcutOverride:
         case QEvent::KeyPress:
             if (static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape) return false;

@@ -17,8 +17,8 @@ struct LessonTarget {
 /// The controls of a window that have a name for people, but for those of the lessons, by their words.
 [[nodiscard]] QList<LessonTarget> lessonTargets(const QWidget& window);
 
-/// While it is active, the next click in the window does nothing but name a control. Escape, and a click elsewhere,
-/// ends it without one.
+/// While it is active, the next click in the window does nothing but name a control. Tabs and scroll bars work as ever,
+/// so that a control on another panel can be reached. Escape, and a click elsewhere, ends it without one.
 ///
 ///              begin()                 click on a control: chosen(), ended()
 ///   [passive] ----------> [active] -----------------------------------------> [passive]
@@ -43,7 +43,7 @@ signals:
     void ended();
 
 private:
-    [[nodiscard]] QString nameUnder(QObject* watched, const QPoint& place) const;
+    [[nodiscard]] QString nameOf(const QWidget* widget) const;
 
     QPointer<QWidget> m_window;
     QString m_pressed;  ///< the control under the press, until the release

@@ -39,10 +39,6 @@ private slots:
     void cleanup() { close(); }
 
     void aLessonIsMadeOfSnapshotsSavedAndPlayed() {
-        open(m_file);
-        QVERIFY(!child("lessons.new")->isEnabled());
-        QVERIFY2(child("lessons.new")->toolTip().contains("It holds no voxels"),
-                 qPrintable(child("lessons.new")->toolTip()));
         openScan();
         QVERIFY(!child("lessons.new")->isEnabled());
         QVERIFY(child("lessons.new")->toolTip().contains("There is no snapshot"));
@@ -84,6 +80,7 @@ private slots:
         QVERIFY(draft.folder.empty());  // it is no lesson's folder
         const QString folder = temporaryFolder().filePath("three curves");
         author().saveTo(folder);
+        QVERIFY(draftFolder().isEmpty());
         const auto saved = readLesson(folder.toStdString());
         QVERIFY2(saved, saved ? "" : saved.error().sentence().c_str());
         QVERIFY(*saved == draft.lesson);
@@ -112,7 +109,7 @@ private slots:
         QVERIFY(!child("lessons.draft")->isEnabled());  // all of it is saved
         QVERIFY(child("lessons.list")->isVisible());
 
-        // Its handout shows the lesson's scan, whatever is open.
+        // Its folder opens as a study does, and its handout shows the lesson's scan, whatever is open.
         open(m_file);
         const QString page = temporaryFolder().filePath("three curves.html");
         window().lessonHandouts().save(*saved, page);
@@ -123,6 +120,12 @@ private slots:
         QVERIFY(text.contains("<h2>2. Squared</h2>") && text.contains("<strong>1. (b)</strong> Yes"));
         QVERIFY(!text.contains("heart"));
         QCOMPARE(text.count("<img "), qsizetype{3});
+        window().open(folder);
+        QTRY_VERIFY(window().lessonPlayer().playing());
+        waitUntilIdle();
+        QCOMPARE(child<QLabel>("lessons.title")->text(), "Straight");
+        click("lessons.leave");
+        waitUntilIdle();
     }
 
     void stepsAreAddedMovedAndShown() {
@@ -157,6 +160,9 @@ private slots:
         // Nothing is lost if another study is opened; views are taken of the lesson's scan alone.
         const Lesson before = draft.lesson;
         open(m_file);
+        QVERIFY(!child("lessons.new")->isEnabled());
+        QVERIFY2(child("lessons.new")->toolTip().contains("It holds no voxels"),
+                 qPrintable(child("lessons.new")->toolTip()));
         QVERIFY(author().draft()->lesson == before);
         for (const char* name : {"lessons.editor.add", "lessons.editor.step.take", "lessons.editor.step.solve"})
             QVERIFY(!child(name)->isEnabled());
@@ -274,6 +280,15 @@ private:
         QCOMPARE(target->currentText(), "otfEditor.active.quartic");
         QVERIFY(document().panes[0].curve == before);
         QVERIFY(!child<QAbstractButton>("lessons.editor.step.point")->isChecked());
+        // A control of another panel is reached through its tab, and the editor comes back.
+        click("lessons.editor.step.point");
+        click("dock.lessons.tab.method");
+        QTRY_VERIFY(!child("adaptive.compute")->visibleRegion().isEmpty());
+        QVERIFY(child<QAbstractButton>("lessons.editor.step.point")->isChecked());
+        QTest::mouseClick(child("adaptive.compute"), Qt::LeftButton);
+        QCOMPARE(target->currentText(), "adaptive.compute");
+        QTRY_VERIFY(!child("lessons.editor")->visibleRegion().isEmpty());
+        target->setEditText("otfEditor.active.quartic");
         click("lessons.editor.step.point");
         QTest::keyClick(&window(), Qt::Key_Escape);
         QVERIFY(!child<QAbstractButton>("lessons.editor.step.point")->isChecked());
