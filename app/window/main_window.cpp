@@ -19,6 +19,7 @@
 #include "app/lesson/lesson_author.h"
 #include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
+#include "app/lesson/lesson_stage.h"
 #include "app/motion/movie_files.h"
 #include "app/otf/editor_early_light.h"
 #include "app/otf/editor_otfs.h"

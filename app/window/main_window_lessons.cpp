@@ -3,6 +3,8 @@
 #include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
 #include "app/lesson/lesson_stage.h"
+#include "app/sessions/session_keeping.h"
+#include "app/study/study_opening.h"
 #include "app/window/full_screen.h"
 #include "app/window/main_window.h"
 #include "app/window/window_faces.h"

@@ -25,10 +25,14 @@ void DocumentModel::makeStep(const Document& wanted, const QString& what, Gestur
     const Document before =
         keepingChecksum(withShown(std::exchange(m_beforePreview, std::nullopt).value_or(m_document), m_document));
     const Document ownBefore = withoutLook(before);
+    // A whole document, of a snapshot for example, has panes of its own, even if they are those that are looked at.
+    const bool endsLook = setsFrame && kept.panes.size() != 1 && withoutLook(kept).panes.size() == 1;
+    if (endsLook) m_look.reset();
     const Document next = withLook(kept);
-    if (withShown(next, before) == before) return set(next);
+    if (!endsLook && withShown(next, before) == before) return set(next);
     m_steps.push(ownBefore, withoutLook(next), what, gesture, setsFrame);
     set(next);
+    if (endsLook) emit changed();  // what is shown may be the same
     emit m_steps.changed();
 }
 
@@ -151,7 +155,10 @@ void DocumentModel::comeBack(const Kept& kept) {
 void DocumentModel::restore(const Document& document, bool withFrame) {
     // Drop a preview that goes on. `document` is the state to show instead.
     m_beforePreview.reset();
+    const bool endsLook = document.panes.size() != 1 && withoutLook(document).panes.size() == 1;
+    if (endsLook) m_look.reset();  // as in makeStep()
     set(withLook(keepingChecksum(withFrame ? document : withShown(document, m_document))));
+    if (endsLook) emit changed();
 }
 
 void DocumentModel::set(Document next) {

@@ -212,6 +212,32 @@ private slots:
         QVERIFY(looking.ownDocument() == several);
     }
 
+    /// The panes of a state, and those of a snapshot, are their own, even if somebody looks at the same ones meanwhile.
+    void panesOfAStateAreItsOwnWhoeverLooks() {
+        DocumentModel model;
+        const std::vector<Pane> added{{.curve = CurveKind::linear}, {.curve = CurveKind::quartic}};
+        Document several;
+        several.panes.insert(several.panes.end(), added.begin(), added.end());
+        model.edit(several, "panes");
+        model.steps().undo();
+        model.lookAtPanes(added);
+        QVERIFY(model.ownDocument() == Document{});
+        QSignalSpy changed(&model, &DocumentModel::changed);
+        model.steps().redo();
+        QVERIFY(model.ownDocument() == several);
+        QCOMPARE(changed.count(), 1);  // the room asks whose panes it shows
+        model.endLookAtPanes();
+        QVERIFY(model.document() == several);
+        model.steps().undo();
+        QVERIFY(model.document() == Document{});
+        model.lookAtPanes(added);
+        model.editWithFrame(several, "snapshot");
+        QVERIFY(model.ownDocument() == several);
+        QCOMPARE(model.steps().count(), 1);
+        model.steps().undo();
+        QVERIFY(model.ownDocument() == Document{});
+    }
+
     void eachPartHasItsSignal() {
         DocumentModel model;
         model.begin(twoPanes());
