@@ -101,9 +101,8 @@ void CompareRoom::connectPanel() {
 
 void CompareRoom::showInPanel() {
     const Document& document = m_parts.model.document();
-    const TubeGrid grid = configOf(document).grid;
     const Study* study = m_parts.openStudy.study();
-    m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, grid);
+    m_parts.panel.setLimits(study != nullptr ? static_cast<int>(study->phases.size()) : 1, configOf(document));
     m_parts.panel.setComparison(document.comparison);
     m_parts.panel.setPanes(isCompared(document) ? document.panes : std::vector<Pane>{}, captionsOfPanes(document));
 }

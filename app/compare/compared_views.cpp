@@ -22,16 +22,16 @@ constexpr double frameMilliseconds = 40.0;  // the time for a frame while the ha
 PaneFace faceOf(const Document& document, std::size_t place) {
     const Pane& choice = document.panes[place];
     PaneFace face{.name = QStringLiteral("%1  %2").arg(place + 1).arg(captionOfPane(document, place))};
-    const bool adaptive = choice.designer && std::holds_alternative<AdaptiveConfig>(*choice.designer);
-    if (choice.designer && !adaptive) return face;
-    const CurveKind kind = adaptive ? CurveKind::adaptive : choice.curve;
+    const auto colour = colourOfPane(choice);
+    if (!colour) return face;
     // Panes are black in both themes.
-    if (const auto colour = colourOfPane(choice); colour && *colour >= allCurveKinds.size()) {
+    if (*colour >= allCurveKinds.size()) {
         const std::string_view name = colourAt(*colour).onDark;
         face.frame = QColor::fromString(QLatin1StringView(name.data(), static_cast<qsizetype>(name.size())));
         face.frameStyle = Qt::SolidLine;
         return face;
     }
+    const CurveKind kind = allCurveKinds[*colour];
     face.frame = curveColor(kind, Theme::dark);
     face.frameStyle = curvePen(kind, false, Theme::dark).style();
     return face;

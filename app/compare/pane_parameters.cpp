@@ -7,6 +7,7 @@
 #include "processing/adaptive/method_parameters.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/designers/choice/designer.h"
+#include "widgets/compare/pane_words.h"
 #include "widgets/controls/panel_controls.h"
 
 namespace echolucent {
@@ -24,10 +25,6 @@ QString rowsOf(const ParameterTable<Values>& table, const Values& values) {
     return rows.isEmpty() ? QString() : rows.join(QStringLiteral("; ")) + QLatin1Char('.');
 }
 
-QString wordsOf(MethodReading reading) {
-    return QCoreApplication::translate("compare", "Reading: %1.").arg(textOf(nameOf(reading)));
-}
-
 }  // namespace
 
 QString parametersOfPane(const Document& document, std::size_t pane) {
@@ -39,7 +36,9 @@ QString parametersOfPane(const Document& document, std::size_t pane) {
         const AdaptiveOtfConfig config = configOf(document, pane);
         const auto reading = readingOf(config);
         const QString rows = rowsOf(methodParameters(), config);
-        return reading ? wordsOf(*reading) + QLatin1Char(' ') + rows : rows;
+        return reading ? QCoreApplication::translate("compare", "Reading: %1.").arg(wordsOf(*reading)) +
+                             QLatin1Char(' ') + rows
+                       : rows;
     }
     if (designer == nullptr) return {};
     return std::visit([](const auto& values) { return rowsOf(parametersOf(values), values); }, *designer);

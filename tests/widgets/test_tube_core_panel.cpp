@@ -147,7 +147,7 @@ private slots:
     }
 
     void onlyParametersOfTheRulesAreShown() {
-        ReadingParameters sliders;
+        ReadingParameters sliders("tubeCores");
         const auto isShown = [&](const char* name) { return child<QWidget>(sliders, name)->isVisibleTo(&sliders); };
         sliders.setConfig(configOf(MethodReading::standard));
         QVERIFY(isShown("tubeCores.falseAlarm") && isShown("tubeCores.rampBegin") && isShown("tubeCores.cellSize"));
@@ -158,7 +158,7 @@ private slots:
     }
 
     void parametersThatWouldCrossStayApart() {
-        ReadingParameters sliders;
+        ReadingParameters sliders("tubeCores");
         sliders.setConfig(configOf(MethodReading::asPublished));
         QSignalSpy changed(&sliders, &ReadingParameters::configChanged);
         auto* coarsest = child<QSlider>(sliders, "tubeCores.coarsestScale");

@@ -14,11 +14,13 @@
 
 #include "processing/adaptive/method_reading.h"
 #include "processing/document/panes.h"
+#include "widgets/compare/pane_words.h"
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/panels/designer_parameters.h"
 #include "widgets/surface_colours.h"
+#include "widgets/tube_cores/reading_parameters.h"
 
 namespace echolucent {
 
@@ -28,47 +30,10 @@ namespace {
 constexpr int designerEntries = static_cast<int>(allCurveKinds.size());
 constexpr int withoutTubeEntry = designerEntries + static_cast<int>(allDesigners.size());
 
-QString labelOfCurve(CurveKind kind) {
-    switch (kind) {
-        case CurveKind::adaptive: return ComparePanel::tr("Adaptive curve");
-        case CurveKind::manual: return ComparePanel::tr("Manual curve");
-        case CurveKind::linear: return ComparePanel::tr("Piecewise linear curve (eq. 1)");
-        case CurveKind::parabolic: return ComparePanel::tr("x² (parabolic curve)");
-        case CurveKind::quartic: return ComparePanel::tr("x⁴ (quartic curve)");
-    }
-    return {};
-}
-
-QString labelOfDesigner(Designer designer) {
-    if (designer == designerOf(AdaptiveConfig{})) return ComparePanel::tr("Adaptive, as a designer");
-    return textOf(labelOf(designer));
-}
-
-QString wordsOf(MotionOtf otf) {
-    switch (otf) {
-        case MotionOtf::oneOtf: return ComparePanel::tr("one OTF");
-        case MotionOtf::eachView: return ComparePanel::tr("each view's OTF");
-        case MotionOtf::mean: return ComparePanel::tr("mean of 5");
-        case MotionOtf::movingLeastSquares: return ComparePanel::tr("least squares");
-        case MotionOtf::leastFlicker: return ComparePanel::tr("least flicker");
-    }
-    return {};
-}
-
 constexpr std::array readings{MethodReading::asPublished, MethodReading::settled, MethodReading::firstVersion,
                               MethodReading::standard};
 // The entries of a pane's method: the document's, the readings, and parameters that are no reading.
 constexpr int ownMethodEntry = static_cast<int>(readings.size()) + 1;
-
-QString wordsOf(MethodReading reading) {
-    switch (reading) {
-        case MethodReading::asPublished: return ComparePanel::tr("as published");
-        case MethodReading::settled: return ComparePanel::tr("settled");
-        case MethodReading::firstVersion: return ComparePanel::tr("as in 0.1");
-        case MethodReading::standard: return ComparePanel::tr("default");
-    }
-    return {};
-}
 
 int methodEntryOf(const Pane& choice) {
     if (!choice.method) return 0;
@@ -96,27 +61,6 @@ QString tipOfPair(const QComboBox& box, const QString& meaning) {
 }
 
 }  // namespace
-
-QString nameOfPane(const Pane& choice) {
-    const int entry = entryOf(choice);
-    QString name;
-    if (entry == withoutTubeEntry) {
-        QStringList tubes;
-        for (const int tube : choice.withoutTubes) tubes << QString::number(tube);
-        name = ComparePanel::tr("Adaptive without tube core %1").arg(tubes.join(QStringLiteral(", ")));
-    } else if (choice.designer) {
-        name = labelOfDesigner(designerOf(*choice.designer));
-    } else {
-        const bool own = choice.curve == CurveKind::linear && choice.linear && *choice.linear != LinearCurve{};
-        name = own ? ComparePanel::tr("Piecewise linear curve of its own") : labelOfCurve(choice.curve);
-    }
-    if (choice.method && isAdaptive(choice)) {
-        const auto reading = readingOf(*choice.method);
-        name += QStringLiteral(", ") + (reading ? wordsOf(*reading) : ComparePanel::tr("own parameters"));
-    }
-    if (choice.motionOtf) name += QStringLiteral(", ") + wordsOf(*choice.motionOtf);
-    return choice.phase ? ComparePanel::tr("%1, volume %2").arg(name).arg(*choice.phase + 1) : name;
-}
 
 ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
     setObjectName("compare");
@@ -183,7 +127,7 @@ QGroupBox* ComparePanel::createPanes() {
         for (const MethodReading reading : readings) pane.method->addItem(tr("Parameters %1").arg(wordsOf(reading)));
         pane.method->addItem(tr("Parameters of its own"));
         pane.edits = named(new QToolButton, "compare.parameters" + number, tr("Parameters of pane %1").arg(number),
-                           tr("Shows what the designer of this pane can be set to"));
+                           tr("Shows what this pane can be set to for itself"));
         pane.edits->setText(tr("Parameters…"));
         pane.edits->setCheckable(true);
         pane.parameters = new DesignerParameters(QStringLiteral("compare.pane") + number);
@@ -196,15 +140,21 @@ QGroupBox* ComparePanel::createPanes() {
             choice.designer = config;
             if (choice != m_panes[i]) emit paneChosen(static_cast<int>(i), choice);
         });
-        const int row = static_cast<int>(5 * i) + 1;
+        if (i > 0) {
+            pane.reading = new ReadingParameters(QStringLiteral("compare.method") + number);
+            connect(pane.reading, &ReadingParameters::configChanged, this,
+                    [this, i](const AdaptiveOtfConfig& config) { takeMethod(i, config); });
+        }
+        const int row = static_cast<int>(7 * i) + 1;
         grid->addWidget(pane.label = labelFor(pane.otf, number), row, 0);
         grid->addWidget(pane.otf, row, 1, 1, 2);
         grid->addWidget(pane.tube, row + 1, 1);
         grid->addWidget(pane.phase, row + 1, 2);
         grid->addWidget(pane.motion, row + 2, 1, 1, 2);
         grid->addWidget(pane.method, row + 3, 1, 1, 2);
-        grid->addWidget(pane.edits, row + 3, 1, 1, 2, Qt::AlignLeft);
-        grid->addWidget(pane.parameters, row + 4, 0, 1, 3);
+        grid->addWidget(pane.edits, row + 4, 1, 1, 2, Qt::AlignLeft);
+        grid->addWidget(pane.parameters, row + 5, 0, 1, 3);
+        if (pane.reading != nullptr) grid->addWidget(pane.reading, row + 6, 0, 1, 3);
     }
     return group;
 }
@@ -286,21 +236,30 @@ void ComparePanel::choosePhase(std::size_t place) {
 void ComparePanel::chooseMethod(std::size_t place) {
     Pane choice = m_panes.at(place);
     const int entry = m_controls.at(place).method->currentIndex();
-    if (entry == 0) {
-        choice.method.reset();
-    } else if (entry < ownMethodEntry) {
-        // The grid belongs to no reading.
-        choice.method = configOf(readings.at(static_cast<std::size_t>(entry - 1)));
-        choice.method->grid = m_grid;
-        choice.method->grid.withoutTubes.clear();
-    }
+    if (entry > 0 && entry < ownMethodEntry)
+        return takeMethod(place, configOf(readings.at(static_cast<std::size_t>(entry - 1))));
+    // Its own begin with those that it has now.
+    if (entry == ownMethodEntry) return takeMethod(place, choice.method.value_or(m_method));
+    choice.method.reset();
+    if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
+}
+
+void ComparePanel::takeMethod(std::size_t place, AdaptiveOtfConfig method) {
+    Pane choice = m_panes.at(place);
+    if (!isAdaptive(choice)) return;
+    method.grid = choice.method ? choice.method->grid : m_method.grid;  // it belongs to no reading
+    method.grid.withoutTubes.clear();
+    choice.method = method;
     if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
 }
 
 void ComparePanel::showParameters(std::size_t place) {
     const PaneControls& pane = m_controls.at(place);
-    const bool designed = place < m_panes.size() && m_panes[place].designer && !isAdaptive(m_panes[place]);
-    pane.edits->setVisible(designed);
+    const bool there = place < m_panes.size(), adaptive = there && pane.reading && isAdaptive(m_panes[place]);
+    const bool designed = there && m_panes[place].designer && !isAdaptive(m_panes[place]);
+    pane.edits->setVisible(designed || adaptive);
+    if (adaptive) pane.reading->setConfig(m_panes[place].method.value_or(m_method));
+    if (pane.reading != nullptr) pane.reading->setVisible(adaptive && pane.edits->isChecked());
     pane.parameters->setVisible(designed && pane.edits->isChecked());
     if (designed) pane.parameters->setConfig(*m_panes[place].designer);
 }
@@ -334,10 +293,10 @@ void ComparePanel::setComparison(const Comparison& comparison) {
     showAll();
 }
 
-void ComparePanel::setLimits(int phases, const TubeGrid& grid) {
-    if (phases == m_phases && grid == m_grid) return;
+void ComparePanel::setLimits(int phases, const AdaptiveOtfConfig& method) {
+    if (phases == m_phases && method == m_method) return;
     m_phases = phases;
-    m_grid = grid;
+    m_method = method;
     showAll();
 }
 
@@ -348,7 +307,7 @@ void ComparePanel::setMeasuringFlicker(bool measuring) {
 
 void ComparePanel::showAll() {
     const QSignalBlocker countBlocker(m_count);
-    const int tubes = m_grid.columns * m_grid.rows;
+    const int tubes = m_method.grid.columns * m_method.grid.rows;
     m_count->setValue(static_cast<int>(std::max(m_panes.size(), fewestPanes)));
     const QSignalBlocker firstBlocker(m_first), secondBlocker(m_second), amplificationBlocker(m_amplification),
         coloursBlocker(m_colours);

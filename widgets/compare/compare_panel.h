@@ -8,6 +8,7 @@
 
 #include "processing/document/panes.h"
 #include "widgets/compare/compare_table.h"
+#include "widgets/compare/pane_words.h"
 
 class QAction;
 class QCheckBox;
@@ -21,17 +22,13 @@ class QToolButton;
 namespace echolucent {
 
 class DesignerParameters;
-
-/// "Piecewise linear curve (eq. 1)", "x² (parabolic curve)", "Levoy", "Adaptive without tube core 112",
-/// "Piecewise linear curve of its own" if it is not that of eq. 1. With ", as
-/// published", ", settled", ", as in 0.1", ", default" or ", own parameters" if the pane has a method of its own, with
-/// ", mean of 5" if it has an OTF of its own in a motion, and with ", volume 3" if it has a phase of its own.
-[[nodiscard]] QString nameOfPane(const Pane& choice);
+class ReadingParameters;
 
 /// Objects: compare (this), compare.switch, compare.count, compare.otf1 … 4, compare.tube1 … 4, compare.phase2 … 4,
 /// compare.motion2 … 4, compare.method2 … 4, compare.parameters1 … 4 (a switch), compare.pane1.NAME … (a control for
-/// each parameter of the pane's designer), compare.layout, compare.first, compare.second, compare.amplification,
-/// compare.colours, compare.insets, and those of CompareTable. No setter emits a signal.
+/// each parameter of the pane's designer), compare.method2.NAME … (sliders of the adaptive method, for this pane
+/// alone), compare.layout, compare.first, compare.second, compare.amplification, compare.colours, compare.insets, and
+/// those of CompareTable. No setter emits a signal.
 class ComparePanel : public QWidget {
     Q_OBJECT
 
@@ -44,7 +41,7 @@ public:
     void setPanes(const std::vector<Pane>& panes, const QStringList& names);
     void setComparison(const Comparison& comparison);
     /// Limits of the study and the method, for the choices that depend on them.
-    void setLimits(int phases, const TubeGrid& grid);
+    void setLimits(int phases, const AdaptiveOtfConfig& method);
     void setRows(const std::vector<CompareRow>& rows) { m_table->setRows(rows); }
     [[nodiscard]] const std::vector<CompareRow>& rows() const { return m_table->rows(); }
     /// Whether the flicker is being measured.
@@ -68,14 +65,16 @@ private:
         QComboBox* motion = nullptr;
         QSpinBox* phase = nullptr;
         QComboBox* method = nullptr;
-        QToolButton* edits = nullptr;  ///< switches `parameters`
+        QToolButton* edits = nullptr;  ///< switches `parameters` or `reading`
         DesignerParameters* parameters = nullptr;
+        ReadingParameters* reading = nullptr;  ///< of the adaptive method; null in the first pane, which has none
     };
     QGroupBox* createPanes();
     QGroupBox* createLayout();
     void choose(std::size_t place);
     void choosePhase(std::size_t place);
     void chooseMethod(std::size_t place);
+    void takeMethod(std::size_t place, AdaptiveOtfConfig method);
     void showParameters(std::size_t place);
     void chooseComparison(const QString& what);
     void showAll();
@@ -84,7 +83,7 @@ private:
     QStringList m_names;
     Comparison m_comparison;
     int m_phases = 1;
-    TubeGrid m_grid;  ///< of the document's method
+    AdaptiveOtfConfig m_method;  ///< the document's
     bool m_measuring = false;
     QToolButton* m_switch = nullptr;
     QSpinBox* m_count = nullptr;

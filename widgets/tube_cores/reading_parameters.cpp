@@ -81,9 +81,9 @@ const ParameterTable<AdaptiveOtfConfig>& readingParameters() {
     return table;
 }
 
-ReadingParameters::ReadingParameters(QWidget* parent)
+ReadingParameters::ReadingParameters(const QString& group, QWidget* parent)
     : QWidget(parent),
-      m_controls(readingParameters(), "tubeCores", NumberControl::resettingSlider,
+      m_controls(readingParameters(), group, NumberControl::resettingSlider,
                  [this](const AdaptiveOtfConfig& config, const AnyParameter& row) {
                      const AdaptiveOtfConfig valid = withoutCrossing(config, row.name);
                      setConfig(valid);

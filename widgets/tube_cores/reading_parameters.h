@@ -14,13 +14,13 @@ namespace echolucent {
 /// form's strength or ramp. A range that is too wide for a slider is offered in the part that is of use.
 [[nodiscard]] const ParameterTable<AdaptiveOtfConfig>& readingParameters();
 
-/// A slider for each row that means something under the present rules; the others are hidden. Objects: tubeCores.NAME,
-/// with the row's name in camel case, as in the panel Method.
+/// A slider for each row that means something under the present rules; the others are hidden. Objects: GROUP.NAME, with
+/// the row's name in camel case, as in the panel Method.
 class ReadingParameters : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ReadingParameters(QWidget* parent = nullptr);
+    explicit ReadingParameters(const QString& group, QWidget* parent = nullptr);
 
     /// Shows a config. Emits nothing.
     void setConfig(const AdaptiveOtfConfig& config);

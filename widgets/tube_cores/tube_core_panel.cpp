@@ -58,7 +58,7 @@ TubeCorePanel::TubeCorePanel(QWidget* parent)
       m_note(createText("tubeCores.note", tr("What the picture shows"))),
       m_map(new TubeCoreMap),
       m_list(new TubeCoreList),
-      m_parameters(new ReadingParameters),
+      m_parameters(new ReadingParameters("tubeCores")),
       m_below(new QWidget) {
     setObjectName("tubeCores");
     setAccessibleName(tr("Tube cores"));
