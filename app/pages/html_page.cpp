@@ -207,7 +207,7 @@ void HtmlPage::paragraph(const std::string& text) { add("<p>" + escaped(text) + 
 void HtmlPage::lines(const std::string& text) { add("<p class=\"lines\">" + escaped(text) + "</p>\n"); }
 
 void HtmlPage::markdown(const std::string& text, const std::map<std::string, std::string>& images) {
-    add(markdownMarkup(text, images));
+    add(markdownMarkup(text, images, m_embedded));
 }
 
 void HtmlPage::table(const std::vector<std::string>& columns, const std::vector<std::vector<std::string>>& rows,

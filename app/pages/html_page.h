@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,7 @@ private:
     std::string m_title;
     std::size_t m_byteLimit;
     bool m_hasSheet = false;
+    std::set<std::string> m_embedded;  ///< names of images
     /// The page's markup, piece by piece. A call gives it with pictures coarser by a factor.
     std::vector<std::function<std::string(int coarseness)>> m_pieces;
 };

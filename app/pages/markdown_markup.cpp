@@ -45,7 +45,8 @@ std::optional<std::size_t> endOfMarked(std::string_view text, std::size_t begin,
 
 class Inline {
 public:
-    explicit Inline(const std::map<std::string, std::string>& images) : m_images(images) {}
+    Inline(const std::map<std::string, std::string>& images, std::set<std::string>& embedded)
+        : m_images(images), m_embedded(embedded) {}
 
     [[nodiscard]] std::string markup(std::string_view text, int depth = 0) const {
         if (depth > deepestMarks) return escaped(text);
@@ -97,11 +98,15 @@ private:
     [[nodiscard]] std::string imageMarkup(const Link& link) const {
         const auto image = m_images.find(std::string(link.address));
         if (image == m_images.end()) return escaped(link.words);
+        const bool isPng = image->second.starts_with("\x89PNG\r\n\x1a\n");
+        if ((!isPng && !image->second.starts_with("\xff\xd8\xff")) || !m_embedded.insert(image->first).second)
+            return escaped(link.words);
         return fmt::format("<img alt=\"{}\" src=\"{}\"/>", escaped(link.words),
-                           dataUri(image->first.ends_with(".png") ? "image/png" : "image/jpeg", image->second));
+                           dataUri(isPng ? "image/png" : "image/jpeg", image->second));
     }
 
     const std::map<std::string, std::string>& m_images;
+    std::set<std::string>& m_embedded;
 };
 
 /// What a line begins.
@@ -136,8 +141,9 @@ std::string_view tagOf(Block block) {
 
 }  // namespace
 
-std::string markdownMarkup(std::string_view markdown, const std::map<std::string, std::string>& images) {
-    const Inline words(images);
+std::string markdownMarkup(std::string_view markdown, const std::map<std::string, std::string>& images,
+                           std::set<std::string>& embedded) {
+    const Inline words(images, embedded);
     std::string markup, text;
     Block block = Block::none, list = Block::none;
     const auto endBlock = [&] {

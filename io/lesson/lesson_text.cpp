@@ -180,4 +180,30 @@ std::string markdownOf(const LessonText& text, const std::vector<std::string>& i
     return markdown;
 }
 
+std::vector<LessonProblem> problemsOfMarkdown(const Lesson& lesson) {
+    std::vector<std::string> images;
+    for (const auto& [name, bytes] : lesson.images) images.push_back(name);
+    std::vector<LessonProblem> problems;
+    for (std::size_t language = 0; language < lesson.texts.size(); ++language) {
+        const LessonText& text = lesson.texts[language];
+        const auto differs = [&](const LessonText& part, const std::vector<std::string>& ids) {
+            const auto read = lessonTextFrom(markdownOf(part, ids), part.language, ids, images, {});
+            return !read || *read != part;
+        };
+        if (differs({text.language, text.title, text.summary, {}}, {}))
+            problems.push_back({LessonField::summary,
+                                {},
+                                language,
+                                "A line must not begin with #, which begins a section, and only images of the lesson's "
+                                "folder are shown."});
+        for (std::size_t step = 0; step < text.steps.size(); ++step)
+            if (differs({text.language, text.title, {}, {text.steps[step]}}, {"step"}))
+                problems.push_back({LessonField::text, step, language,
+                                    "A line must not begin with #, which begins a section, a line of a question not "
+                                    "with a hyphen, which begins an answer, and only images of the lesson's folder are "
+                                    "shown."});
+    }
+    return problems;
+}
+
 }  // namespace echolucent

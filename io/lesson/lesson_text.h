@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "processing/lesson/lesson.h"
+#include "processing/lesson/lesson_draft.h"
 #include "processing/result.h"
 
 namespace echolucent {
@@ -24,5 +25,8 @@ namespace echolucent {
 /// The names in the images of a Markdown text ("![words](NAME)", "![words](NAME 'title')" and "![words]: NAME"), as
 /// they stand there. Empty for an image that has no name there, or whose words are more than words.
 [[nodiscard]] std::vector<std::string> imagesIn(const std::string& markdown);
+
+/// The texts of a lesson that markdownOf() writes and lessonTextFrom() would not give back as they are.
+[[nodiscard]] std::vector<LessonProblem> problemsOfMarkdown(const Lesson& lesson);
 
 }  // namespace echolucent

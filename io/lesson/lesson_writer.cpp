@@ -43,6 +43,19 @@ ordered_json conditionJson(const LessonCondition& condition) {
 
 ordered_json partJson(const Document& from, const Document& to) { return ordered_json::parse(partBetween(from, to)); }
 
+/// Makes an empty folder of a name that nothing had before, beside the one that is to come.
+std::filesystem::path newFolderBeside(const std::filesystem::path& folder, std::error_code& error) {
+    namespace fs = std::filesystem;
+    if (folder.has_parent_path()) fs::create_directories(folder.parent_path(), error);
+    constexpr int mostTries = 1000;
+    for (int i = 0; i < mostTries && !error; ++i) {
+        const fs::path place(folder.string() + ".unfinished" + (i > 0 ? "-" + std::to_string(i) : ""));
+        if (fs::create_directory(place, error)) return place;
+    }
+    if (!error) error = std::make_error_code(std::errc::file_exists);
+    return {};
+}
+
 tl::unexpected<Failure> unwritable(const std::string& folder, const std::string& problem) {
     return fail(FailureKind::unwritable, folder, {}, problem);
 }
@@ -95,17 +108,19 @@ Result<void> writeLesson(const std::string& folder, const Lesson& lesson) {
     const bool isThere = fs::exists(folder, error);
     const fs::path whole = fs::path(folder).has_filename() ? fs::path(folder) : fs::path(folder).parent_path();
     // A new folder gets its name once it is whole.
-    const fs::path place = isThere ? whole : fs::path(whole.string() + ".unfinished");
-    fs::create_directories(place, error);
+    const fs::path place = isThere ? whole : newFolderBeside(whole, error);
     if (error) return unwritable(folder, "cannot be made: " + error.message());
     for (const auto& [name, bytes] : files.bytes)
         if (auto written = writeFileAtomically((place / name).string(), bytes); !written) {
             if (!isThere) fs::remove_all(place, error);
             return written;
         }
-    if (!isThere) fs::rename(place, whole, error);
-    if (error) return unwritable(folder, "cannot be made: " + error.message());
-    return {};
+    if (isThere) return {};
+    fs::rename(place, whole, error);
+    if (!error) return {};
+    const std::string why = error.message();
+    fs::remove_all(place, error);
+    return unwritable(folder, "cannot be made: " + why);
 }
 
 }  // namespace echolucent

@@ -31,7 +31,7 @@ Lesson smallLesson() {
          {{"Two", "Look at **both**, [here](http://example.org/x).\n\n- a < b\n- so"},
           {"On", "Go on: ![the wall](wall.png) ![gone](gone.png)", "No `hint`", "Why?", {"No", "*Yes*"}, "So."},
           {"One", "<img src=\"file:///etc/passwd\"> &amp;"}}}};
-    lesson.images["wall.png"] = "PNG";
+    lesson.images["wall.png"] = "\x89PNG\r\n\x1a\n";
     return lesson;
 }
 
@@ -50,14 +50,20 @@ std::size_t countOfPart(const std::string& text, const std::string& part) {
 }
 
 TEST(Markdown, IsWellFormedWhateverItIs) {
-    const auto markup = [](const std::string& text) { return markdownMarkup(text, {{"a.png", "PNG"}}); };
+    const std::map<std::string, std::string> images{{"a.png", "\x89PNG\r\n\x1a\n"}, {"c.png", "something else"}};
+    const auto markup = [&](const std::string& text) {
+        std::set<std::string> embedded;
+        return markdownMarkup(text, images, embedded);
+    };
     EXPECT_EQ(markup("**strong *and* more**"), "<p><strong>strong <em>and</em> more</strong></p>\n");
     EXPECT_EQ(markup("2 * 3 * 4 and a\\*b\\*"), "<p>2 * 3 * 4 and a*b*</p>\n");
     EXPECT_EQ(markup("a\nb\n\nc"), "<p>a\nb</p>\n<p>c</p>\n");
     EXPECT_EQ(markup("1. one\n  goes on\n2. two\n\ntext\n- b"),
               "<ol>\n<li>one\ngoes on</li>\n<li>two</li>\n</ol>\n<p>text</p>\n<ul>\n<li>b</li>\n</ul>\n");
     EXPECT_EQ(markup("#### Small"), "<p><strong>Small</strong></p>\n");
-    EXPECT_EQ(markup("![w](a.png)"), "<p><img alt=\"w\" src=\"data:image/png;base64,UE5H\"/></p>\n");
+    EXPECT_EQ(markup("![w](a.png) ![again](a.png) ![no image](c.png)"),
+              "<p><img alt=\"w\" src=\"data:image/png;base64,iVBORw0KGgo=\"/> again no image</p>\n")
+        << "each image once, and nothing that is none";
     EXPECT_EQ(markup("![w](b.png) [words](http://x)"), "<p>w words</p>\n");
     const std::string signs = "*`[]()!- #1.\\<>&\"ab \n";
     unsigned random = 5;

@@ -139,6 +139,15 @@ TEST(LessonFile, ReadsBackWhatItWrote) {
     Lesson unwritable = *lesson;
     unwritable.images["wall.png/a.png"] = "PNG";
     EXPECT_FALSE(writeLesson(folder.path() + "/half", unwritable));
+    // What a person keeps beside it is left alone, whether the lesson can be written or not.
+    const std::string own = folder.path() + "/next.unfinished";
+    fs::create_directory(own);
+    std::ofstream(own + "/de.md") << "own";
+    ASSERT_TRUE(writeLesson(folder.path() + "/next", *lesson));
+    EXPECT_TRUE(fs::exists(own + "/de.md"));
+    EXPECT_FALSE(fs::exists(folder.path() + "/next/de.md"));
+    EXPECT_TRUE(*readLesson(folder.path() + "/next") == *lesson);
+    EXPECT_FALSE(fs::exists(own + "-1"));
     EXPECT_FALSE(fs::exists(folder.path() + "/half")) << "a new folder is whole";
 }
 
