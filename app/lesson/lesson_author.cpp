@@ -12,6 +12,7 @@
 #include "app/compare/compare_room.h"
 #include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
+#include "app/lesson/shipped_lessons.h"
 #include "app/sessions/snapshots.h"
 #include "app/settings/settings.h"
 #include "app/study/study_names.h"
@@ -47,33 +48,6 @@ bool holdsIn(const Document& document, const LessonCondition& condition) {
     return holds(condition, [&](std::string_view name) {
         return values[static_cast<std::size_t>(std::ranges::find(names, name) - names.begin())];
     });
-}
-
-/// The texts that a file would not give back as they are.
-std::vector<LessonProblem> problemsOfMarkdown(const Lesson& lesson) {
-    std::vector<std::string> images;
-    for (const auto& [name, bytes] : lesson.images) images.push_back(name);
-    std::vector<LessonProblem> problems;
-    for (std::size_t language = 0; language < lesson.texts.size(); ++language) {
-        const LessonText& text = lesson.texts[language];
-        const auto differs = [&](const LessonText& part, const std::vector<std::string>& ids) {
-            const auto read = lessonTextFrom(markdownOf(part, ids), part.language, ids, images, {});
-            return !read || *read != part;
-        };
-        if (differs({text.language, text.title, text.summary, {}}, {}))
-            problems.push_back({LessonField::summary,
-                                {},
-                                language,
-                                "A line must not begin with #, which begins a section, and only images of the lesson's "
-                                "folder are shown."});
-        for (std::size_t step = 0; step < text.steps.size(); ++step)
-            if (differs({text.language, text.title, {}, {text.steps[step]}}, {"step"}))
-                problems.push_back({LessonField::text, step, language,
-                                    "A line must not begin with #, which begins a section, a line of a question not "
-                                    "with a hyphen, which begins an answer, and only images of the lesson's folder are "
-                                    "shown."});
-    }
-    return problems;
 }
 
 /// Every name that a condition may ask for, of the document and measured.
@@ -112,7 +86,7 @@ LessonAuthor::LessonAuthor(const Parts& parts, QObject* parent)
     });
     connect(&panel, &LessonsPanel::handoutRequested, this, [this](int lesson) {
         if (lesson >= 0 && static_cast<std::size_t>(lesson) < m_parts.player.lessons().size())
-            m_parts.handouts.choose(m_parts.player.lessons()[static_cast<std::size_t>(lesson)]);
+            m_parts.handouts.choose(m_parts.player.lessons()[static_cast<std::size_t>(lesson)], languageOfDesktop());
     });
     // Queued: the menu that asks for a draft is filled again.
     connect(&panel, &LessonsPanel::draftRequested, this, &LessonAuthor::continueDraft, Qt::QueuedConnection);
@@ -127,6 +101,7 @@ LessonAuthor::LessonAuthor(const Parts& parts, QObject* parent)
 }
 
 LessonAuthor::~LessonAuthor() {
+    m_parts.panel.editor().stepEditor().setPresentValue({});
     if (m_draft && !isUnsaved())
         m_drafts.discard();
     else
@@ -159,7 +134,8 @@ void LessonAuthor::connectEditor() {
     connect(&editor, &LessonEditor::playRequested, this, &LessonAuthor::play);
     connect(&editor, &LessonEditor::saveRequested, this, &LessonAuthor::chooseAndSave);
     connect(&editor, &LessonEditor::handoutRequested, this, [this] {
-        if (m_draft) m_parts.handouts.choose(trimmed(m_draft->lesson));
+        if (m_draft)
+            m_parts.handouts.choose(trimmed(m_draft->lesson), m_draft->lesson.texts.at(m_draft->language).language);
     });
     connect(&editor, &LessonEditor::discardRequested, this, &LessonAuthor::discard);
     connect(&editor, &LessonEditor::closeRequested, this, &LessonAuthor::close);
@@ -173,7 +149,7 @@ void LessonAuthor::beginNew() {
     m_drafts.begin();
     LessonDraft draft;
     draft.lesson = lesson;
-    write(draft, lesson);
+    showDraft(draft, lesson);
 }
 
 void LessonAuthor::editCopy(const Lesson& lesson) {
@@ -182,7 +158,7 @@ void LessonAuthor::editCopy(const Lesson& lesson) {
     const LessonText& shown = textIn(lesson, languageOfTexts());
     draft.language = static_cast<std::size_t>(&shown - lesson.texts.data());
     m_drafts.begin();
-    write(draft, lesson);
+    showDraft(draft, lesson);
 }
 
 void LessonAuthor::editFolder(const QString& folder) {
@@ -194,7 +170,7 @@ void LessonAuthor::editFolder(const QString& folder) {
     LessonDraft draft;
     draft.lesson = *lesson;
     draft.folder = QFileInfo(folder).absoluteFilePath().toStdString();
-    write(draft, *lesson);
+    showDraft(draft, *lesson);
 }
 
 void LessonAuthor::continueDraft(const QString& folder) {
@@ -206,11 +182,11 @@ void LessonAuthor::continueDraft(const QString& folder) {
     std::optional<Lesson> elsewhere;
     if (!draft->folder.empty())
         if (const auto saved = readLesson(draft->folder)) elsewhere = *saved;
-    write(*draft, elsewhere);
+    showDraft(*draft, elsewhere);
 }
 
 /// Shows a draft to be written on. Its folder is that of m_drafts.
-void LessonAuthor::write(const LessonDraft& draft, const std::optional<Lesson>& elsewhere) {
+void LessonAuthor::showDraft(const LessonDraft& draft, const std::optional<Lesson>& elsewhere) {
     m_parts.messages.takeBack(authorTopic);
     m_draft = draft;
     m_elsewhere = elsewhere;
@@ -221,7 +197,7 @@ void LessonAuthor::write(const LessonDraft& draft, const std::optional<Lesson>& 
     showNames();
     check();
     followStudy();
-    m_parts.panel.showEditor();
+    if (!m_parts.player.playing()) m_parts.panel.showEditor();
 }
 
 void LessonAuthor::end() {
@@ -263,7 +239,7 @@ void LessonAuthor::discard() {
                                      MessageEnd::soon(authorTopic), {{tr("Bring back"), [this, draft, elsewhere] {
                                                                           if (m_draft) close();
                                                                           m_drafts.begin();
-                                                                          write(draft, elsewhere);
+                                                                          showDraft(draft, elsewhere);
                                                                           m_keeping.start();
                                                                       }}});
 }
@@ -282,7 +258,7 @@ void LessonAuthor::takeEdited() {
     if (!m_draft) return;
     const std::size_t before = m_draft->step;
     m_draft = m_parts.panel.editor().draft();
-    m_keeping.start();
+    if (!m_keeping.isActive()) m_keeping.start();
     if (m_draft->step != before) showNames();
     check();
 }
@@ -345,10 +321,7 @@ void LessonAuthor::show() {
     if (!m_draft || m_draft->step >= m_draft->lesson.steps.size()) return;
     const Document document = documentBefore(m_draft->lesson, m_draft->step);
     if (!scanIsOpen()) return m_parts.openStudy.openSimulatedScan(document);
-    if (!isCompared(document)) m_parts.compare.setShown(false);
-    m_parts.model.editWithFrame(document, tr("step of a lesson"));
-    m_parts.model.showFrame(document.scene.motionAngle, document.scene.phase);
-    m_parts.compare.setShown(isCompared(document));
+    m_parts.player.show(document, tr("step of a lesson"));
 }
 
 void LessonAuthor::play() {
@@ -387,6 +360,12 @@ void LessonAuthor::saveTo(const QString& folder) {
         return told(MessageKind::warning,
                     tr("%1 is there already. Choose another name.").arg(m_parts.names.nameOfOther(folder)));
     const Lesson lesson = trimmed(m_draft->lesson);
+    if (const auto there = readLesson(path); isOwn && (!there || !m_elsewhere || *there != *m_elsewhere)) {
+        m_draft->folder.clear();
+        return told(MessageKind::warning, tr("%1 was changed since it was opened here, and stays as it is. Save the "
+                                             "lesson again, under another name.")
+                                              .arg(m_parts.names.nameOfOther(folder)));
+    }
     if (const auto written = writeLesson(path, lesson); !written)
         return told(MessageKind::error, QString::fromStdString(written.error().sentence()));
     m_parts.settings.setLastSaveFolder(QFileInfo(folder).absolutePath());

@@ -74,7 +74,7 @@ public:
 
 private:
     void connectEditor();
-    void write(const LessonDraft& draft, const std::optional<Lesson>& elsewhere);
+    void showDraft(const LessonDraft& draft, const std::optional<Lesson>& elsewhere);
     void end();
     void edit(const std::function<void(Lesson& lesson, std::size_t& step)>& change);
     void takeEdited();

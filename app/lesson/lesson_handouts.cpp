@@ -1,12 +1,12 @@
 #include "app/lesson/lesson_handouts.h"
 
 #include <QApplication>
-#include <QLocale>
 #include <QWidget>
 #include <string>
 #include <utility>
 
 #include "app/files/save_dialog.h"
+#include "app/lesson/shipped_lessons.h"
 #include "app/pages/lesson_handout.h"
 #include "app/settings/settings.h"
 #include "app/study/open_study.h"
@@ -20,8 +20,6 @@ namespace echolucent {
 namespace {
 
 constexpr const char* handoutTopic = "handout of a lesson";
-
-std::string languageOfHandout() { return QLocale().name().replace('_', '-').toLower().toStdString(); }
 
 Result<void> writeHandout(const std::string& file, const Lesson& lesson, LessonHandout handout,
                           const Progress& progress) {
@@ -38,21 +36,27 @@ LessonHandouts::LessonHandouts(const Parts& parts, QObject* parent)
       m_parts(parts),
       m_writing(parts.works, "lesson handout", {.words = tr("saving the handout"), .urgency = Urgency::saving}) {}
 
-void LessonHandouts::choose(const Lesson& lesson) {
+void LessonHandouts::choose(const Lesson& lesson, const std::string& language) {
+    if (m_writing.busy()) {
+        m_parts.messages.showMessage(MessageKind::info,
+                                     tr("The handout before is still being saved. Try it again then."),
+                                     MessageEnd::soon(handoutTopic));
+        return;
+    }
     const Lesson none;
-    const std::string name = freeLessonId(none, textIn(lesson, languageOfHandout()).title);
+    const std::string name = freeLessonId(none, textIn(lesson, language).title);
     const QString path = chooseFileToSave(m_parts.window, m_parts.settings, m_parts.openStudy,
                                           {.title = tr("Save handout"),
                                            .filter = tr("Pages (*.html)"),
                                            .name = QString::fromStdString(name),
                                            .suffix = QStringLiteral("html")});
-    if (!path.isEmpty()) save(lesson, path);
+    if (!path.isEmpty()) save(lesson, language, path);
 }
 
-void LessonHandouts::save(const Lesson& lesson, const QString& path) {
+void LessonHandouts::save(const Lesson& lesson, const std::string& language, const QString& path) {
     if (m_writing.busy()) return;
     LessonHandout handout;
-    handout.language = languageOfHandout();
+    handout.language = language;
     handout.program = tr("Echolucent %1").arg(QApplication::applicationVersion()).toStdString();
     m_writing.begin(
         path,

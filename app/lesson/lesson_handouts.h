@@ -34,10 +34,11 @@ public:
     /// What the parts refer to must outlive this object.
     explicit LessonHandouts(const Parts& parts, QObject* parent = nullptr);
 
-    /// Asks for a file and saves the page of a lesson, which must hold its rules.
-    void choose(const Lesson& lesson);
+    /// Asks for a file and saves the page of a lesson, which must hold its rules, with the texts that textIn() gives.
+    /// Says in a message if a page is just being saved.
+    void choose(const Lesson& lesson, const std::string& language);
     /// Says in a message how that ended. Does nothing while a page is being saved.
-    void save(const Lesson& lesson, const QString& path);
+    void save(const Lesson& lesson, const std::string& language, const QString& path);
 
 private:
     Parts m_parts;

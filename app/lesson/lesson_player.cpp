@@ -1,7 +1,6 @@
 #include "app/lesson/lesson_player.h"
 
 #include <QFileDialog>
-#include <QLocale>
 #include <QMainWindow>
 #include <algorithm>
 #include <utility>
@@ -28,9 +27,6 @@ constexpr double percent = 100.0;
 constexpr std::string_view tubeCoreName = "measured.tube_core";
 
 QString words(const std::string& text) { return QString::fromStdString(text); }
-
-/// "pt-br".
-std::string language() { return QLocale().name().replace('_', '-').toLower().toStdString(); }
 
 /// The value of "measured.panes[N].KEY".
 std::optional<DocumentValue> measuredOf(const CompareRow& row, std::string_view key) {
@@ -110,7 +106,7 @@ const std::vector<Lesson>& LessonPlayer::lessons() {
                                          MessageEnd::soon(lessonTopic));
             continue;
         }
-        const LessonText& text = textIn(*lesson, language());
+        const LessonText& text = textIn(*lesson, languageOfDesktop());
         entries << LessonEntry{words(text.title), words(text.summary), lesson->minutes};
         m_lessons->push_back(std::move(*lesson));
     }
@@ -219,7 +215,7 @@ void LessonPlayer::back() {
 
 void LessonPlayer::solve() {
     if (!m_lesson) return;
-    if (const auto& solved = m_lesson->steps.at(m_step).solved) show(*solved);
+    if (const auto& solved = m_lesson->steps.at(m_step).solved) showOfStep(*solved);
     chooseTubeCore();
 }
 
@@ -232,7 +228,7 @@ void LessonPlayer::chooseTubeCore() {
 
 void LessonPlayer::reset() {
     if (!m_lesson || !m_progress.at(m_step).began) return;
-    show(*m_progress[m_step].began);
+    showOfStep(*m_progress[m_step].began);
     m_parts.stage.resetStep();
 }
 
@@ -240,9 +236,9 @@ void LessonPlayer::goTo(std::size_t step, const std::optional<Document>& documen
     m_step = step;
     const auto& set = m_lesson->steps.at(step).set;
     if (document)
-        show(*document);
+        showOfStep(*document);
     else if (step == 0 && set)
-        show(*set);
+        showOfStep(*set);
     m_progress.at(step).began = m_parts.model.ownDocument();
     showPage();
     m_parts.stage.beginStep(words(m_lesson->steps[step].lookAt));
@@ -250,20 +246,22 @@ void LessonPlayer::goTo(std::size_t step, const std::optional<Document>& documen
     emit stepChanged(step);
 }
 
-/// Makes a document of the lesson the present one, as one step, in the room that shows it.
-void LessonPlayer::show(const Document& document) {
+void LessonPlayer::showOfStep(const Document& document) {
+    show(document, tr("lesson: %1").arg(words(textIn(*m_lesson, languageOfDesktop()).steps.at(m_step).title)));
+}
+
+void LessonPlayer::show(const Document& document, const QString& step) {
     m_parts.player.pause();
     Document wanted = document;
     wanted.study = m_parts.openStudy.reference();
     if (!isCompared(document)) m_parts.compare.setShown(false);  // panes that are only looked at go too
-    m_parts.model.editWithFrame(wanted,
-                                tr("lesson: %1").arg(words(textIn(*m_lesson, language()).steps.at(m_step).title)));
+    m_parts.model.editWithFrame(wanted, step);
     m_parts.model.showFrame(wanted.scene.motionAngle, wanted.scene.phase);  // another axis begins the motion anew
     m_parts.compare.setShown(isCompared(document));
 }
 
 void LessonPlayer::showPage() {
-    const LessonText& text = textIn(*m_lesson, language());
+    const LessonText& text = textIn(*m_lesson, languageOfDesktop());
     const LessonStepText& said = text.steps.at(m_step);
     const LessonStep& step = m_lesson->steps[m_step];
     LessonPage page{words(text.title), words(said.title),    words(said.text),

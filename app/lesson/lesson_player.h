@@ -88,6 +88,8 @@ public:
     void solve();
     /// Sets the document as it was when the step began.
     void reset();
+    /// Makes a document of the study that is open the present one, as one step of this name, in the room that shows it.
+    void show(const Document& document, const QString& step);
 
     /// What the window has measured under a name of lessonMeasures(); none if it is not known now.
     [[nodiscard]] std::optional<DocumentValue> measured(std::string_view name) const;
@@ -117,8 +119,8 @@ private:
     void keepBefore();
     void begin();
     void end();
+    void showOfStep(const Document& document);
     void goTo(std::size_t step, const std::optional<Document>& document);
-    void show(const Document& document);
     void showPage();
     void chooseTubeCore();
     void look();

@@ -91,18 +91,29 @@ void LessonStage::setFullScreen(bool full) {
     if (!m_before) full = false;
     if (std::exchange(m_fullScreen, full) == full) return;
     m_lent.clear();  // leaving the full screen has put all into its place
-    m_parts.panel.setLetters(full ? std::clamp(m_parts.window.height() / plainHeight, 1.0, largestLetters) : 1.0);
+    full ? m_parts.window.installEventFilter(this) : m_parts.window.removeEventFilter(this);
+    fitLetters();
     if (!m_before) return;
     if (QDockWidget* panel = dock(); panel != nullptr && full) panel->show();
     lookAt(m_outline.target() ? m_outline.target()->objectName() : QString());
-    // The window has its new size, and the panel its least width, with the next events.
+}
+
+void LessonStage::fitLetters() {
+    m_parts.panel.setLetters(m_fullScreen ? std::clamp(m_parts.window.height() / plainHeight, 1.0, largestLetters)
+                                          : 1.0);
+    // The panel has its least width with the next events.
     QTimer::singleShot(0, this, &LessonStage::setWidth);
 }
 
-/// What the step before has shown on the full screen goes.
-void LessonStage::takeLent() {
-    for (const QPointer<QWidget>& each : std::exchange(m_lent, {}))
-        if (each) each->hide();
+/// What the step before has shown on the full screen goes, if the target does not stand in it too.
+void LessonStage::takeLentBut(const QWidget* target) {
+    for (const QPointer<QWidget>& each : std::exchange(m_lent, {})) {
+        if (!each) continue;
+        if (target != nullptr && (each == target || each->isAncestorOf(target)))
+            m_lent << each;
+        else
+            each->hide();
+    }
 }
 
 void LessonStage::beginStep(const QString& name) {
@@ -115,7 +126,7 @@ void LessonStage::resetStep() { m_parts.theory.setSetting(m_stepTheory); }
 void LessonStage::lookAt(const QString& name) {
     auto* target = name.isEmpty() ? nullptr : m_parts.window.findChild<QWidget*>(name);
     if (m_outline.target() != nullptr) m_outline.target()->removeEventFilter(this);
-    takeLent();
+    takeLentBut(target);
     for (QWidget* around = target; around != nullptr && !around->isWindow(); around = around->parentWidget()) {
         auto* dock = qobject_cast<QDockWidget*>(around);
         if (m_fullScreen && around->isHidden() && (dock != nullptr || around == &m_parts.motion)) m_lent << around;
@@ -142,6 +153,8 @@ void LessonStage::scrollToTarget() {
 }
 
 bool LessonStage::eventFilter(QObject* watched, QEvent* event) {
+    // The screen's size may come some time after the window has asked for it.
+    if (event->type() == QEvent::Resize && watched == &m_parts.window) fitLetters();
     if (event->type() == QEvent::Show && watched == m_outline.target()) scrollToTarget();
     return QObject::eventFilter(watched, event);
 }

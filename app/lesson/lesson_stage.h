@@ -41,7 +41,7 @@ public:
 
     /// A lesson begins: keeps what it may change, and sets that as at a first start.
     void enter();
-    /// The lesson has ended: all is as enter() found it.
+    /// The lesson has ended: gives back what enter() kept. The lesson's panel is behind the tab where it was.
     void leave();
 
     /// A step begins: brings the control that it looks at into view, with the panel that it stands in, and outlines it.
@@ -71,8 +71,9 @@ private:
     void standAside();
     void standBack();
     void scrollToTarget();
-    void takeLent();
+    void takeLentBut(const QWidget* target);
     void setWidth();
+    void fitLetters();
     [[nodiscard]] QDockWidget* dock() const;
 
     Parts m_parts;

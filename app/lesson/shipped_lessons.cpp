@@ -2,6 +2,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QLocale>
 #include <stdexcept>
 
 namespace echolucent {
@@ -30,5 +31,7 @@ LessonFiles filesOfShipped(const QString& name) {
     if (files.bytes.empty()) throw std::invalid_argument("filesOfShipped: there is no lesson of this name");
     return files;
 }
+
+std::string languageOfDesktop() { return QLocale().name().replace('_', '-').toLower().toStdString(); }
 
 }  // namespace echolucent

@@ -13,4 +13,7 @@ namespace echolucent {
 /// The files of one of them. Throws std::invalid_argument if there is none of the name.
 [[nodiscard]] LessonFiles filesOfShipped(const QString& name);
 
+/// Of the texts that a person is shown: that of the desktop, as textIn() takes it ("pt-br").
+[[nodiscard]] std::string languageOfDesktop();
+
 }  // namespace echolucent

@@ -8,6 +8,8 @@
 #include "app/window/full_screen.h"
 #include "app/window/main_window.h"
 #include "app/window/window_faces.h"
+#include "widgets/panels/motion_panel.h"
+#include "widgets/panels/view_panel.h"
 
 namespace echolucent {
 

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/controls/number_box.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/lesson/lesson_question_editor.h"
 #include "widgets/lesson/lesson_step_editor.h"
@@ -67,7 +68,7 @@ QWidget* LessonEditor::createHead() {
     m_summary = wordsEdit("lessons.editor.summary", tr("What the lesson is about"),
                           tr("One or two sentences on what it shows"), 2, head);
     m_summaryProblem = problemLabel("lessons.editor.problem.summary", head);
-    m_minutes = named(new QSpinBox(head), "lessons.editor.minutes", tr("Minutes that it takes"));
+    m_minutes = named(new WholeNumberBox(head), "lessons.editor.minutes", tr("Minutes that it takes"));
     m_minutes->setRange(1, mostMinutes);
     m_minutes->setSuffix(tr(" minutes"));
     wheelNeedsFocus(m_minutes);

@@ -160,8 +160,8 @@ QWidget* LessonStepEditor::createSolution() {
     m_solution->setWordWrap(true);
     auto* buttons = new QWidget(box);
     auto* line = lineIn(buttons);
-    m_solve = stepButton(tr("Take this view as solved"), "solve", tr("Skip shows this view"), buttons);
-    m_unsolve = stepButton(tr("No solution"), "unsolve", tr("Skip shows nothing"), buttons);
+    m_solve = stepButton(tr("Take this view as solved"), "solve", tr("\"Do it for me\" shows this view"), buttons);
+    m_unsolve = stepButton(tr("No solution"), "unsolve", tr("\"Do it for me\" shows nothing"), buttons);
     line->addWidget(m_solve);
     line->addWidget(m_unsolve);
     line->addStretch(1);

@@ -86,6 +86,7 @@ bool TargetPointing::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick:
             if (leadsElsewhere(widget())) return false;
+            if (static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return true;
             m_pressed = nameOf(widget());
             m_isPressed = true;
             return true;
@@ -96,6 +97,7 @@ bool TargetPointing::eventFilter(QObject* watched, QEvent* event) {
             if (!name.isEmpty()) emit chosen(name);
             return true;
         }
+        case QEvent::ContextMenu: return true;
         case QEvent::MouseMove:
             // A widget that takes no mouse hands it to those around it.
             if (!watched->isWidgetType()) emit pointed(nameOf(widget()));

@@ -112,7 +112,7 @@ private slots:
         // Its folder opens as a study does, and its handout shows the lesson's scan, whatever is open.
         open(m_file);
         const QString page = temporaryFolder().filePath("three curves.html");
-        window().lessonHandouts().save(*saved, page);
+        window().lessonHandouts().save(*saved, "en", page);
         waitUntilIdle();
         QFile handout(page);
         QVERIFY(handout.open(QIODevice::ReadOnly));
