@@ -34,7 +34,9 @@ LessonStage::LessonStage(const Parts& parts, QObject* parent)
 QDockWidget* LessonStage::dock() const { return dockAround(&m_parts.panel); }
 
 void LessonStage::enter() {
-    if (!m_before) m_before = Before{m_parts.panes.paneLayout(), m_parts.tubeCore.shown(), m_parts.theory.setting()};
+    if (!m_before)
+        m_before = Before{m_parts.panes.paneLayout(), m_parts.tubeCore.shown(), m_parts.theory.setting(),
+                          dockAround(&m_parts.controls)->width()};
     m_parts.panes.setPaneLayout(PaneLayout::only3d);
     m_parts.tubeCore.setShown(false);
     m_parts.theory.setSetting({});
@@ -51,6 +53,10 @@ void LessonStage::leave() {
     m_parts.panes.setPaneLayout(before->layout);
     m_parts.tubeCore.setShown(before->tubeCoresShown);
     m_parts.theory.setSetting(before->theory);
+    // The panels are in their places with the next events.
+    QTimer::singleShot(0, this, [this, width = before->columnWidth] {
+        m_parts.window.resizeDocks({dockAround(&m_parts.controls)}, {width}, Qt::Horizontal);
+    });
 }
 
 void LessonStage::standAside() {
@@ -95,6 +101,9 @@ void LessonStage::setFullScreen(bool full) {
     fitLetters();
     if (!m_before) return;
     if (QDockWidget* panel = dock(); panel != nullptr && full) panel->show();
+    // Leaving the full screen shows all bars.
+    if (full)
+        for (QWidget* bar : m_parts.bars) bar->show();
     lookAt(m_outline.target() ? m_outline.target()->objectName() : QString());
 }
 
@@ -129,9 +138,8 @@ void LessonStage::lookAt(const QString& name) {
     takeLentBut(target);
     for (QWidget* around = target; around != nullptr && !around->isWindow(); around = around->parentWidget()) {
         auto* dock = qobject_cast<QDockWidget*>(around);
-        if (m_fullScreen && around->isHidden() && (dock != nullptr || around == &m_parts.motion)) m_lent << around;
-        if (around == &m_parts.motion) around->show();
         if (dock == nullptr) continue;
+        if (m_fullScreen && dock->isHidden()) m_lent << dock;
         if (dock->isHidden() && !m_fullScreen) m_opened << dock;
         dock->show();
         dock->raise();

@@ -22,7 +22,7 @@ class TubeCoreChoice;
 
 /// While a lesson is played, its panel stands left of the picture, so that its words are seen beside any other panel.
 /// On the full screen the panel stays, in letters that the last row of a class can read, and beside it stand only the
-/// picture and what the step looks at.
+/// picture, the bars below it, and what the step looks at.
 class LessonStage : public QObject {
     Q_OBJECT
 
@@ -33,8 +33,8 @@ public:
         PaneGrid& panes;
         TubeCoreChoice& tubeCore;
         TheoryPanel& theory;
-        QWidget& motion;    ///< the bar below the picture, which the full screen hides
-        QWidget& controls;  ///< the panel that is in front beside a lesson, until a step looks at another one
+        QList<QWidget*> bars;  ///< below the picture; the full screen hides them, and a lesson speaks of them
+        QWidget& controls;     ///< the panel that is in front beside a lesson, until a step looks at another one
     };
     /// What the parts refer to must outlive this object.
     explicit LessonStage(const Parts& parts, QObject* parent = nullptr);
@@ -66,6 +66,7 @@ private:
         PaneLayout layout = PaneLayout::only3d;
         bool tubeCoresShown = false;
         TheorySetting theory;
+        int columnWidth = 0;  ///< of the panels beside the picture, pixels
     };
     void lookAt(const QString& name);
     void standAside();

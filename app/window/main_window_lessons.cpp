@@ -1,4 +1,6 @@
 // Lessons in the window: their stage and their player.
+#include <QStatusBar>
+
 #include "app/lesson/lesson_author.h"
 #include "app/lesson/lesson_handouts.h"
 #include "app/lesson/lesson_player.h"
@@ -14,9 +16,13 @@
 namespace echolucent {
 
 void MainWindow::createLessons() {
-    m_lessonStage =
-        std::make_unique<LessonStage>(LessonStage::Parts{*this, *m_widgets.lessons, *m_widgets.panes, *m_tubeCoreChoice,
-                                                         *m_widgets.theory, *m_widgets.motion, *m_widgets.controls});
+    m_lessonStage = std::make_unique<LessonStage>(LessonStage::Parts{*this,
+                                                                     *m_widgets.lessons,
+                                                                     *m_widgets.panes,
+                                                                     *m_tubeCoreChoice,
+                                                                     *m_widgets.theory,
+                                                                     {m_widgets.motion, statusBar()},
+                                                                     *m_widgets.controls});
     connect(m_fullScreen, &FullScreen::changed, m_lessonStage.get(),
             [this] { m_lessonStage->setFullScreen(m_fullScreen->active()); });
     m_lessons = std::make_unique<LessonPlayer>(LessonPlayer::Parts{

@@ -125,6 +125,8 @@ private slots:
     /// For the last row of a class.
     void onTheFullScreenTheWordsStayAndAreLarger() {
         window().resize(1600, 1000);
+        waitUntilIdle();
+        const int column = child("dock.view")->width();
         enter(smallLesson());
         const auto* words = child("lessons.text");
         const QFont font = words->font();
@@ -145,6 +147,9 @@ private slots:
         QTRY_VERIFY(!child("dock.view")->isHidden());
         QCOMPARE(words->font().pointSizeF(), font.pointSizeF());
         QVERIFY(words->isVisible());
+        toggle();
+        player().leave();
+        QTRY_COMPARE(child("dock.view")->width(), column);
         waitUntilIdle();
     }
 
