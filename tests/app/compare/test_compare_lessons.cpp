@@ -198,6 +198,8 @@ private slots:
             return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
         };
         for (const PaperFigure& figure : paperFigures()) {
+            // Panes with curves of their own, and the motion.
+            if (!isLongRun() && figure.number != 1 && figure.number != 11) continue;
             child<QAction>(QStringLiteral("compare.figure%1").arg(figure.number))->trigger();
             const QByteArray name = "figure " + QByteArray::number(figure.number);
             QVERIFY(window().sessionKeeping().snapshots().keep(QString::fromUtf8(name), document()).isEmpty());
@@ -375,6 +377,6 @@ private slots:
     }
 };
 
-ECHOLUCENT_TEST_CLASS(TestCompareLessons)
+ECHOLUCENT_TEST_CLASS(TestCompareLessons, "aSessionOfAFigureIsTheSameInAnotherWindow")
 
 #include "test_compare_lessons.moc"
