@@ -114,8 +114,9 @@ QString problemOfLesson(MainWindow& window) {
     LessonPlayer& player = window.lessonPlayer();
     const auto label = [&](const char* name) { return window.findChild<QLabel*>(name)->text(); };
     const auto* panel = window.findChild<QWidget*>("lessons");
-    if (window.findChild<QWidget*>("lessons.list")->isVisibleTo(panel) == player.playing())
-        return "the panel of lessons shows a lesson that is not played, or a list while one is";
+    // Else it shows the list, or the editor of a lesson.
+    if (window.findChild<QWidget*>("lessons.title")->isVisibleTo(panel) != player.playing())
+        return "the panel of lessons shows a lesson that is not played, or none while one is";
     auto* dock = window.findChild<QDockWidget*>("dock.lessons");
     if (!player.playing()) {
         if (!window.isFullScreen() && window.dockWidgetArea(dock) != Qt::RightDockWidgetArea)
