@@ -22,6 +22,7 @@ private slots:
         AdaptiveOtfConfig method = configOf(MethodReading::standard);
         method.grid.columns = 9;
         method.grid.withoutTubes = {4};
+        method.initial = PowerCurve{4, 0.5};
         panel.setLimits(1, method);
         panel.setPanes({{}, {}, {.curve = CurveKind::parabolic}}, {"one", "two", "three"});
         panel.show();
@@ -52,6 +53,7 @@ private slots:
         QVERIFY(pane.method);
         QCOMPARE(pane.method->cells.size, method.cells.size + 1);
         QCOMPARE(pane.method->grid.columns, 9);
+        QVERIFY2(pane.method->initial == AdaptiveOtfConfig{}.initial, "a file of the document would not keep it");
         QVERIFY2(pane.method->grid.withoutTubes.empty(), "those of the document play no part in a pane's method");
 
         panel.setPanes({{}, pane, {.curve = CurveKind::parabolic}}, {"one", "two", "three"});

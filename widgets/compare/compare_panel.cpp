@@ -248,7 +248,9 @@ void ComparePanel::takeMethod(std::size_t place, AdaptiveOtfConfig method) {
     Pane choice = m_panes.at(place);
     if (!isAdaptive(choice)) return;
     method.grid = choice.method ? choice.method->grid : m_method.grid;  // it belongs to no reading
+    // Always the document's (Pane::method).
     method.grid.withoutTubes.clear();
+    method.initial = AdaptiveOtfConfig{}.initial;
     choice.method = method;
     if (choice != m_panes[place]) emit paneChosen(static_cast<int>(place), choice);
 }
