@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/explain/tube_core_choice.h"
+#include "widgets/controls/dock_around.h"
 #include "widgets/lesson/lessons_panel.h"
 #include "widgets/theory/theory_panel.h"
 
@@ -19,12 +20,6 @@ namespace {
 constexpr int panelWidth = 300;         // logical pixels; at 1280 the picture keeps 640
 constexpr double plainHeight = 600.0;   // of a full screen on which the letters are as large as in the window
 constexpr double largestLetters = 2.4;  // times those in the window
-
-QDockWidget* dockAround(QWidget* widget) {
-    for (QWidget* around = widget; around != nullptr; around = around->parentWidget())
-        if (auto* dock = qobject_cast<QDockWidget*>(around)) return dock;
-    return nullptr;
-}
 
 }  // namespace
 

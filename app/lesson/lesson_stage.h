@@ -41,7 +41,7 @@ public:
 
     /// A lesson begins: keeps what it may change, and sets that as at a first start.
     void enter();
-    /// The lesson has ended: gives back what enter() kept. The lesson's panel is behind the tab where it was.
+    /// The lesson has ended. Gives back what enter() kept, and puts the panel back beside the others.
     void leave();
 
     /// A step begins: brings the control that it looks at into view, with the panel that it stands in, and outlines it.

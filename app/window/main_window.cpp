@@ -2,14 +2,9 @@
 
 #include <QAbstractButton>
 #include <QAction>
-#include <QCloseEvent>
 #include <QDockWidget>
-#include <QDragEnterEvent>
-#include <QKeyEvent>
 #include <QMenu>
-#include <QMimeData>
 #include <QStackedWidget>
-#include <QTimer>
 #include <QUrl>
 
 #include "app/compare/compare_room.h"
@@ -375,45 +370,6 @@ void MainWindow::keepSettings() {
     m_settings.setWindowGeometry(saveGeometry());
     m_settings.setWindowState(saveState(layoutVersion));
     m_settings.save();
-}
-
-void MainWindow::showEvent(QShowEvent* event) {
-    QMainWindow::showEvent(event);
-    if (std::exchange(m_shown, true)) return;
-    QTimer::singleShot(0, this, [this] {
-        keepOnScreen(*this);  // only now the frame is known
-        emit shown();
-    });
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    m_lessons->leaveNow();  // the person's own session is asked for and remembered
-    if (!m_sessions->mayClose() || !m_files->mayLoseManualCurve()) {
-        event->ignore();
-        return;
-    }
-    m_motionPlayer.pause();
-    m_movies->cancel();
-    m_report->cancel();
-    m_panesSaving->cancel();
-    m_fullScreen->leave();  // the hidden parts must be there again at the next start
-    keepSettings();
-    event->accept();
-}
-
-void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && m_escapes.endFirst()) return;
-    QMainWindow::keyPressEvent(event);
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls()) event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent* event) {
-    if (!event->mimeData()->hasUrls()) return;
-    event->acceptProposedAction();
-    m_opening->openDropped(event->mimeData()->urls());
 }
 
 }  // namespace echolucent

@@ -46,7 +46,7 @@ public:
     std::vector<LessonProblem> all() {
         for (std::size_t language = 0; language < m_lesson.texts.size(); ++language) lookAtWhole(language);
         if (m_lesson.steps.empty() || m_lesson.steps.size() > mostLessonSteps)
-            add(LessonField::steps, {}, {}, "A lesson has 1 to 60 steps.");
+            add(LessonField::steps, {}, {}, "A lesson has 1 to " + std::to_string(mostLessonSteps) + " steps.");
         std::size_t conditions = 0;
         for (std::size_t step = 0; step < m_lesson.steps.size(); ++step) {
             for (std::size_t language = 0; language < m_lesson.texts.size(); ++language) lookAtWords(step, language);
@@ -54,7 +54,8 @@ public:
             const auto& until = m_lesson.steps[step].until;
             conditions += until ? conditionsIn(*until) : 0;
             if (conditions > mostLessonConditions)
-                add(LessonField::condition, step, {}, "A lesson holds at most 200 conditions.");
+                add(LessonField::condition, step, {},
+                    "A lesson holds at most " + std::to_string(mostLessonConditions) + " conditions.");
         }
         if (m_problems.empty())
             if (const std::string problem = problemOf(m_lesson); !problem.empty())
@@ -72,18 +73,21 @@ private:
             m_problems.push_back({field, step, language, std::move(sentence)});
     }
     void limit(LessonField field, std::optional<std::size_t> step, std::size_t language, const std::string& text) {
-        if (text.size() > longestLessonText) add(field, step, language, "This is longer than 8000 bytes.");
+        if (text.size() > longestLessonText)
+            add(field, step, language, "This is longer than " + std::to_string(longestLessonText) + " bytes.");
     }
     void lookAtWhole(std::size_t language) {
         const LessonText& text = m_lesson.texts[language];
         if (text.title.empty() || text.title.size() > longestLessonTitle)
-            add(LessonField::title, {}, language, "The lesson needs a title of at most 120 bytes.");
+            add(LessonField::title, {}, language,
+                "The lesson needs a title of at most " + std::to_string(longestLessonTitle) + " bytes.");
         limit(LessonField::summary, {}, language, text.summary);
     }
     void lookAtWords(std::size_t step, std::size_t language) {
         const LessonStepText& words = m_lesson.texts[language].steps.at(step);
         if (words.title.empty() || words.title.size() > longestLessonTitle)
-            add(LessonField::stepTitle, step, language, "The step needs a title of at most 120 bytes.");
+            add(LessonField::stepTitle, step, language,
+                "The step needs a title of at most " + std::to_string(longestLessonTitle) + " bytes.");
         if (words.text.empty()) add(LessonField::text, step, language, "Write what is to be seen and done.");
         limit(LessonField::text, step, language, words.text);
         limit(LessonField::hint, step, language, words.hint);
@@ -92,14 +96,16 @@ private:
     }
     void lookAtQuestion(std::size_t step, std::size_t language, const LessonStepText& words) {
         const std::size_t answers = m_lesson.steps[step].answers;
-        const auto say = [&](const char* sentence) { add(LessonField::question, step, language, sentence); };
+        const auto say = [&](const std::string& sentence) { add(LessonField::question, step, language, sentence); };
         if (answers == 0 && words.question.empty()) {
             if (!words.explanation.empty())
                 add(LessonField::explanation, step, language, "Only a question has an explanation of its answer.");
             return;
         }
         if (words.question.empty()) say("Write the question, or remove its answers.");
-        if (answers < fewestLessonAnswers || answers > mostLessonAnswers) say("A question has 2 to 6 answers.");
+        if (answers < fewestLessonAnswers || answers > mostLessonAnswers)
+            say("A question has " + std::to_string(fewestLessonAnswers) + " to " + std::to_string(mostLessonAnswers) +
+                " answers.");
         if (std::ranges::any_of(words.answers, &std::string::empty)) say("Write each answer, or remove it.");
         limit(LessonField::question, step, language, words.question);
         for (const std::string& answer : words.answers) limit(LessonField::question, step, language, answer);
@@ -128,12 +134,12 @@ std::string whyNoLesson(const StudyReference& study, std::size_t snapshots) {
     const auto* scan = std::get_if<SimulatedScan>(&study);
     if (scan == nullptr)
         return "A lesson runs on a simulated scan, which every program makes anew from its seed. It holds no voxels, "
-               "so "
-               "snapshots of another study cannot become one. Open a simulated scan.";
+               "so snapshots of another study cannot become one. Open a simulated scan.";
     if (std::ranges::any_of(scan->size, [](std::int64_t voxels) { return voxels > largestLessonScan; }))
-        return "A lesson's scan has at most 256 voxels along each axis.";
+        return "A lesson's scan has at most " + std::to_string(largestLessonScan) + " voxels along each axis.";
     if (snapshots == 0) return "There is no snapshot. The panel Study keeps them.";
-    if (snapshots > mostLessonSteps) return "A lesson has at most 60 steps, and there are more snapshots.";
+    if (snapshots > mostLessonSteps)
+        return "A lesson has at most " + std::to_string(mostLessonSteps) + " steps, and there are more snapshots.";
     return {};
 }
 

@@ -19,8 +19,8 @@ class QVBoxLayout;
 
 namespace echolucent {
 
-/// No condition, one comparison, or several of which all or one must hold. A condition with lists within each other is
-/// kept as it is until another one takes its place. Objects: lessons.editor.condition (this), .rule, .add, .nested; of
+/// Edits a condition: none, one comparison, or several, of which all or one must hold. If a condition nests deeper, the
+/// editor keeps it until a person replaces it. Objects: lessons.editor.condition (this), .rule, .add, .nested; of
 /// each comparison N from 0 on .name.N, .kind.N, .value.N, .largest.N, .remove.N. No setter emits a signal.
 class LessonConditionEditor : public QWidget {
     Q_OBJECT

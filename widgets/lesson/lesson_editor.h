@@ -41,7 +41,7 @@ public:
 signals:
     /// The draft has changed: a text, a choice, or the step that is edited.
     void edited();
-    /// A step with the present view is to be put behind the chosen one.
+    /// A person adds a step with the present view behind the chosen one.
     void addRequested();
     void takeViewRequested();
     void showRequested();

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/controls/dock_around.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/lesson/lesson_question_editor.h"
 
@@ -145,8 +146,7 @@ QWidget* LessonStepEditor::createTarget() {
     connect(&m_pointing, &TargetPointing::ended, this, [this] {
         m_point->setChecked(false);
         m_point->setText(m_point->accessibleName());
-        for (QWidget* around = this; around != nullptr; around = around->parentWidget())
-            if (auto* dock = qobject_cast<QDockWidget*>(around)) dock->raise();  // the control may be on another panel
+        if (QDockWidget* dock = dockAround(this)) dock->raise();  // the control may be on another panel
     });
     return box;
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/controls/dock_around.h"
+
 namespace echolucent {
 
 namespace {
@@ -25,9 +27,8 @@ bool leadsElsewhere(const QWidget* widget) {
 }
 
 QString wordsOf(const QWidget& widget) {
-    for (const QWidget* around = widget.parentWidget(); around != nullptr; around = around->parentWidget())
-        if (const auto* dock = qobject_cast<const QDockWidget*>(around))
-            return TargetPointing::tr("%1 (%2)").arg(widget.accessibleName(), dock->windowTitle());
+    if (const QDockWidget* dock = dockAround(widget.parentWidget()))
+        return TargetPointing::tr("%1 (%2)").arg(widget.accessibleName(), dock->windowTitle());
     return widget.accessibleName();
 }
 

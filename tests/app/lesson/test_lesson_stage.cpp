@@ -8,22 +8,17 @@
 #include "app/lesson/lesson_player.h"
 #include "app/sessions/session_keeping.h"
 #include "app/window/window_faces.h"
-#include "tests/app/lesson/small_lesson.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/lesson/lesson_fixture.h"
 #include "widgets/planes/pane_grid.h"
 #include "widgets/theory/theory_panel.h"
 
 using namespace echolucent;
 
-class TestLessonStage : public QObject, private WindowFixture {
+class TestLessonStage : public QObject, private LessonFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        lookAtNoPicture();
-        lookAlongAssumedBeam();
-        m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
-    }
+    void initTestCase() { writeStudy(); }
     void init() {
         show();
         useLook(Look{});
@@ -31,7 +26,7 @@ private slots:
     void cleanup() { close(); }
 
     void aLessonThatEndsOnTheFullScreenLeavesThePanelsInTheirPlaces() {
-        open(m_file);
+        open(study());
         window().faces().choose(Face::teach);
         auto* panel = child<QDockWidget>("dock.lessons");
         enter(smallLesson());
@@ -85,7 +80,7 @@ private slots:
         player().leave();
         QVERIFY(!player().playing());
         for (const char* closed : {"dock.lessons", "dock.otfEditor"}) QVERIFY(child<QDockWidget>(closed)->isHidden());
-        open(m_file);
+        open(study());
         QVERIFY(document().panes[0].curve == CurveKind::adaptive);
         QVERIFY(!document().scene.box.on);
         QVERIFY(!window().sessionKeeping().isAside());
@@ -94,7 +89,7 @@ private slots:
 
     /// As it was in the window, which no document holds.
     void theStageIsGivenBack() {
-        open(m_file);
+        open(study());
         auto& panes = *window().findChild<PaneGrid*>();
         auto& theory = *child<TheoryPanel>("theory");
         panes.setPaneLayout(PaneLayout::large3d);
@@ -136,7 +131,7 @@ private slots:
         QVERIFY(words->font().pointSizeF() > 1.4 * font.pointSizeF());
         QTRY_VERIFY(child("lessons")->width() > 400);
         const double letters = words->font().pointSizeF();
-        window().resize(1600, 1200);  // as the size of the screen comes where there is a window manager
+        window().resize(1600, 1200);  // a window manager gives the screen's size later
         QTRY_VERIFY(words->font().pointSizeF() > 1.1 * letters);
         click("lessons.next");  // the step looks at a button of the curve's panel
         QTRY_VERIFY(child("otfEditor.active.parabolic")->isVisible());
@@ -152,17 +147,6 @@ private slots:
         QTRY_COMPARE(child("dock.view")->width(), column);
         waitUntilIdle();
     }
-
-private:
-    [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] LessonPlayer& player() { return window().lessonPlayer(); }
-    void enter(const Lesson& lesson) {
-        player().enter(lesson);
-        QTRY_VERIFY(player().playing());
-        waitUntilIdle();
-    }
-
-    QString m_file;
 };
 
 ECHOLUCENT_TEST_CLASS(TestLessonStage)

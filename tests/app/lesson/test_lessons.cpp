@@ -14,22 +14,17 @@
 #include "app/window/window_faces.h"
 #include "processing/adaptive/method_reading.h"
 #include "processing/document/panes.h"
-#include "tests/app/lesson/small_lesson.h"
-#include "tests/app/window_fixture.h"
+#include "tests/app/lesson/lesson_fixture.h"
 #include "widgets/lesson/lesson_text_view.h"
 #include "widgets/lesson/lessons_panel.h"
 
 using namespace echolucent;
 
-class TestLessons : public QObject, private WindowFixture {
+class TestLessons : public QObject, private LessonFixture {
     Q_OBJECT
 
 private slots:
-    void initTestCase() {
-        lookAtNoPicture();
-        lookAlongAssumedBeam();
-        m_file = file("heart.mha", {smallPhantom(PhantomScene::shapes, 5)});
-    }
+    void initTestCase() { writeStudy(); }
     void init() {
         if (QTest::currentTestFunction() == QByteArray("aStrangersTextLoadsNothingBesideTheLessonsImages")) return;
         show();
@@ -38,7 +33,7 @@ private slots:
     void cleanup() { close(); }
 
     void aLessonIsLeftWithTheWorkAndTheHistoryThatItFound() {
-        open(m_file);
+        open(study());
         DocumentModel& model = window().document();
         for (const double brightness : {1.2, 1.4, 1.6})
             model.change("brightness", [&](Document& next) { next.scene.look.brightness = brightness; });
@@ -77,7 +72,7 @@ private slots:
 
     /// Its panes are there while the voxels are still those of the lesson, and only the first pane has any.
     void aComparisonComesBackWithItsStudy() {
-        open(m_file);
+        open(study());
         const auto compared = [](Document& next) { next = withPaneCount(next, 3); };
         window().document().change("panes", compared);
         waitUntilIdle();
@@ -96,7 +91,7 @@ private slots:
     }
 
     void stepsArePlayedForthAndBack() {
-        open(m_file);
+        open(study());
         enter(smallLesson());
         DocumentModel& model = window().document();
         QCOMPARE(child<QLabel>("lessons.progress")->text(), "Step 1 of 3");
@@ -186,7 +181,7 @@ private slots:
     }
 
     void anotherStudyEndsTheLessonAndLeavesTheWorkUnsaved() {
-        open(m_file);
+        open(study());
         window().document().change("own", [](Document& next) {
             next.scene.box.on = true;
             next.scene.look.brightness = 1.25;
@@ -202,7 +197,7 @@ private slots:
         });
         waitUntilIdle();
         QVERIFY(window().sessionKeeping().leftUnsaved().list().empty());
-        window().open(m_file);
+        window().open(study());
         player().leave();  // the study that was asked for wins
         QVERIFY(player().playing());
         QTRY_VERIFY(!player().playing());
@@ -218,7 +213,7 @@ private slots:
 
     void aStudyThatIsAskedForMeanwhileWinsOverTheLesson() {
         player().enter(smallLesson());
-        open(m_file);
+        open(study());
         QVERIFY(!player().playing());
         QVERIFY(std::holds_alternative<StudyFile>(document().study));
         QVERIFY(!window().sessionKeeping().isAside());
@@ -294,17 +289,6 @@ private slots:
         for (const char* name : {"lessons.answer.0", "lessons.answer.1"})
             QVERIFY2(panel.findChild<QWidget*>(name)->parentWidget()->sizeHint().height() < 300, name);
     }
-
-private:
-    [[nodiscard]] const Document& document() { return window().document().document(); }
-    [[nodiscard]] LessonPlayer& player() { return window().lessonPlayer(); }
-    void enter(const Lesson& lesson) {
-        player().enter(lesson);
-        QTRY_VERIFY(player().playing());
-        waitUntilIdle();
-    }
-
-    QString m_file;
 };
 
 ECHOLUCENT_TEST_CLASS(TestLessons)

@@ -43,12 +43,11 @@ protected:
     [[nodiscard]] const StressFiles& files() const { return m_files; }
     [[nodiscard]] std::uint64_t seed() const { return m_seed; }
 
-    /// Does all actions and removes the log if all held. Memory is that of the window in one state, the simulated scan
-    /// seen from one view, where nothing else is open, so that all that was made for the studies, pictures and steps
-    /// between has gone. It is measured after a tenth of the
-    /// actions, and at least 1,000, when all that is made once is made, and at the
-    /// end. It may be a tenth more then, which is some 25 MB: so in 10,000 actions a loss of 3 kB an action fails, and
-    /// so does one volume, picture or window that stays with every tenth opening.
+    /// Does all actions and removes the log if all held. Memory is measured twice: once all that is made once is made,
+    /// after a tenth of the actions and at least 1,000, and at the end. Each time the window shows the simulated scan
+    /// from the same view and nothing else is open. What was made for other studies, pictures and steps is gone then.
+    /// It may be a tenth more then, which is some 25 MB: so in 10,000 actions a loss of 3 kB an action fails, and so
+    /// does one volume, picture or window that stays with every tenth opening.
     void runAll(WindowStress& stress) {
         const auto holds = [&](const QString& problem) {
             if (problem.isEmpty()) return true;

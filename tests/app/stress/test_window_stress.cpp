@@ -55,7 +55,7 @@ private slots:
     }
 
 private:
-    static constexpr std::size_t stepBytes = 150'000;  ///< some dozens of steps, all of which each check takes back
+    static constexpr std::size_t stepBytes = 150'000;  ///< for some dozens of steps; each check takes all of them back
     static constexpr int actionsBetweenRests = 25;
 };
 
