@@ -37,11 +37,6 @@ PaneFace faceOf(const Document& document, std::size_t place) {
     return face;
 }
 
-std::vector<double> insetOf(const ShownPane& pane) {
-    constexpr int samples = 129;
-    return sampledOpacities(upperCurveOf(pane.classification), samples);
-}
-
 ComparedViews::ComparedViews(const Parts& parts, QObject* parent)
     : QObject(parent), m_parts(parts), m_caster(parts.works, PreviewQuality(frameMilliseconds)) {
     connect(&m_parts.openStudy, &OpenStudy::studyOpened, this, &ComparedViews::forgetStudy);
@@ -293,7 +288,7 @@ void ComparedViews::showFaces() {
         face.numbers = numbersOf(row);
         face.legend = legendAt(place);
         const ShownPane& pane = paneAt(place);
-        if (m_insets || m_fullScreen) face.otf = insetOf(pane);
+        if (m_insets || m_fullScreen) face.otf = pane.classification;
         const bool busy = !pane.newest && !pane.refused;
         m_parts.grid.pane(place).setFace(face);
         m_parts.grid.pane(place).setBusy(busy);

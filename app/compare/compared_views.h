@@ -29,8 +29,6 @@ struct ColouredRays {
 /// OTF. The OTF of another designer has none. A piecewise linear curve of the pane's own stands beside that of eq. 1,
 /// so it has another colour.
 [[nodiscard]] PaneFace faceOf(const Document& document, std::size_t place);
-/// The OTF that a pane shows, for PaneFace::otf.
-[[nodiscard]] std::vector<double> insetOf(const ShownPane& pane);
 
 /// Casts the visible panes with exactly the camera of the first pane. Puts pictures, names and numbers into the grid.
 /// The document alone says what is compared.

@@ -54,7 +54,7 @@ void MainWindow::connectCaption() {
                            m_openStudy.volume() && !m_view->held() && document.scene.look.mode == RenderMode::direct;
         if (shown) {
             PaneFace face = faceOf(document, firstPane);
-            face.otf = insetOf(m_panes->at(firstPane));
+            face.otf = m_panes->at(firstPane).classification;
             inset->setFace(face);
         }
         inset->setVisible(shown);

@@ -3,9 +3,11 @@
 #include <QCoreApplication>
 #include <QFontInfo>
 #include <QFontMetrics>
+#include <QImage>
 #include <QPolygonF>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 
 #include "widgets/surface_colours.h"
 #include "widgets/theme_colours.h"
@@ -65,6 +67,31 @@ void paintLegend(QPainter& painter, const QRect& place, const SurfaceLegend& leg
     paintSurfaceLegend(painter, QRect(place.left(), place.top() + line, place.width(), line), second, text);
 }
 
+QPolygonF lineOf(const OpacityCurve& curve, const QRectF& plot) {
+    constexpr int samples = 129;
+    QPolygonF line;
+    int i = 0;
+    for (const double opacity : sampledOpacities(curve, samples))
+        line << QPointF(plot.left() + plot.width() * i++ / (samples - 1),
+                        plot.bottom() - plot.height() * std::clamp(opacity, 0.0, 1.0));
+    return line;
+}
+
+/// Intensity to the right, gradient magnitude upwards, both from the middle of the first pixel to that of the last;
+/// white is opaque.
+QImage mapOf(const TwoDimensionalOtf& otf, const QSize& size) {
+    constexpr double white = 255.0;
+    QImage map(size.expandedTo({2, 2}), QImage::Format_Grayscale8);
+    const int right = map.width() - 1, bottom = map.height() - 1;
+    for (int row = 0; row <= bottom; ++row) {
+        uchar* line = map.scanLine(row);
+        const double gradient = otf.largestGradient * (bottom - row) / bottom;
+        for (int i = 0; i <= right; ++i)
+            line[i] = static_cast<uchar>(std::lround(white * opacityAt(otf, static_cast<double>(i) / right, gradient)));
+    }
+    return map;
+}
+
 }  // namespace
 
 CaptionLayout captionLayout(const QStringList& names, int width, const QFont& font) {
@@ -98,7 +125,7 @@ QRectF insetIn(const QRect& picture) {
 }
 
 void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
-    if (face.otf.size() < 2 || inset.isEmpty()) return;
+    if (!face.otf || inset.isEmpty()) return;
     const double inside = inset.width() / 30.0;
     const ThemeColours& colours = coloursOverPictures();
     painter.save();
@@ -108,16 +135,15 @@ void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
     painter.setBrush(QColor(0, 0, 0, ground));
     painter.drawRect(inset);
     const QRectF plot = inset.adjusted(inside, inside, -inside, -inside);
-    QPolygonF line;
-    const auto last = static_cast<double>(face.otf.size() - 1);
-    for (std::size_t i = 0; i < face.otf.size(); ++i)
-        line << QPointF(plot.left() + plot.width() * static_cast<double>(i) / last,
-                        plot.bottom() - plot.height() * std::clamp(face.otf[i], 0.0, 1.0));
-    const bool own = face.frame && !face.coloured;
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(own ? *face.frame : colours.text, std::max(1.5, inset.width() / 80.0),
-                        own ? face.frameStyle : Qt::SolidLine));
-    painter.drawPolyline(line);
+    if (face.otf->isTwoDimensional()) {
+        painter.drawImage(plot, mapOf(*face.otf->twoDimensional(), plot.size().toSize()));
+    } else {
+        const bool own = face.frame && !face.coloured;
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(own ? *face.frame : colours.text, std::max(1.5, inset.width() / 80.0),
+                            own ? face.frameStyle : Qt::SolidLine));
+        painter.drawPolyline(lineOf(face.otf->curve(), plot));
+    }
     painter.restore();
 }
 

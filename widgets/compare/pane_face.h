@@ -9,8 +9,8 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
-#include <vector>
 
+#include "processing/classification.h"
 #include "widgets/compare/surface_legend.h"
 
 namespace echolucent {
@@ -23,8 +23,9 @@ struct PaneFace {
     std::optional<QColor> frame{};  ///< colour of the curve, if it has one of its own
     Qt::PenStyle frameStyle = Qt::SolidLine;
     bool coloured = false;  ///< pictures may have the colours of shown depths: frame and focus are neutral
-    /// Opacities at equidistant intensities from 0 to 1, drawn small in a corner of the picture; empty: none.
-    std::vector<double> otf{};
+    /// Drawn small in a corner of the picture: a curve over the intensity, or a map over intensity (to the right) and
+    /// gradient magnitude (upwards), the lighter the more opaque.
+    std::optional<Classification> otf{};
     friend bool operator==(const PaneFace&, const PaneFace&) = default;
 };
 

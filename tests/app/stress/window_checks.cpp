@@ -69,7 +69,7 @@ QString problemOfPane(MainWindow& window, std::size_t place) {
     const PaneFace& face = grid.pane(place).face();
     if (face.name != QStringLiteral("%1  %2").arg(place + 1).arg(captionOfPane(document, place)))
         return problem("has another name than the document says: ") + face.name;
-    if (!face.otf.empty() && face.otf != insetOf(shown)) return problem("has the OTF of another one as its inset");
+    if (face.otf && *face.otf != shown.classification) return problem("has the OTF of another one as its inset");
     const Pane& choice = document.panes[place];
     if (face.coloured != document.comparison.colours) return problem("is coloured, or not, against the document");
     if (choice.designer && !isAdaptive(choice))
