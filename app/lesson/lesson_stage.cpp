@@ -1,9 +1,10 @@
 #include "app/lesson/lesson_stage.h"
 
+#include <QAbstractButton>
+#include <QCoreApplication>
 #include <QDockWidget>
 #include <QEvent>
 #include <QMainWindow>
-#include <QScrollArea>
 #include <QTimer>
 #include <algorithm>
 #include <utility>
@@ -18,8 +19,10 @@ namespace echolucent {
 namespace {
 
 constexpr int panelWidth = 300;         // logical pixels; at 1280 the picture keeps 640
+constexpr int lookedAtWidth = 340;      // on the full screen, in letters of the application's size
 constexpr double plainHeight = 600.0;   // of a full screen on which the letters are as large as in the window
 constexpr double largestLetters = 2.4;  // times those in the window
+constexpr double pictureShare = 0.4;    // of the full screen's width, which the panels leave to the picture
 
 }  // namespace
 
@@ -28,13 +31,20 @@ LessonStage::LessonStage(const Parts& parts, QObject* parent)
 
 QDockWidget* LessonStage::dock() const { return dockAround(&m_parts.panel); }
 
+/// The panel beside the picture that the step looks at, if it looks at one.
+QDockWidget* LessonStage::lookedAt() const {
+    QDockWidget* around = dockAround(m_outline.target());
+    return around != nullptr && around != dock() && !around->isFloating() ? around : nullptr;
+}
+
 void LessonStage::enter() {
     if (!m_before)
         m_before = Before{m_parts.panes.paneLayout(), m_parts.tubeCore.shown(), m_parts.theory.setting(),
-                          dockAround(&m_parts.controls)->width()};
+                          m_parts.insets.isChecked(), dockAround(&m_parts.controls)->width()};
     m_parts.panes.setPaneLayout(PaneLayout::only3d);
     m_parts.tubeCore.setShown(false);
     m_parts.theory.setSetting({});
+    m_parts.insets.setChecked(true);
     standAside();
     if (QDockWidget* controls = dockAround(&m_parts.controls); controls != nullptr && !controls->isHidden())
         controls->raise();
@@ -48,6 +58,7 @@ void LessonStage::leave() {
     m_parts.panes.setPaneLayout(before->layout);
     m_parts.tubeCore.setShown(before->tubeCoresShown);
     m_parts.theory.setSetting(before->theory);
+    m_parts.insets.setChecked(before->insets);
     // The panels are in their places with the next events.
     QTimer::singleShot(0, this, [this, width = before->columnWidth] {
         m_parts.window.resizeDocks({dockAround(&m_parts.controls)}, {width}, Qt::Horizontal);
@@ -61,6 +72,7 @@ void LessonStage::standAside() {
         const QList<QDockWidget*> beside = m_parts.window.tabifiedDockWidgets(panel);
         m_place = Place{m_parts.window.dockWidgetArea(panel), panel->isHidden(), beside.value(0)};
         m_parts.window.addDockWidget(Qt::LeftDockWidgetArea, panel);
+        m_sizedFor = 0.0;
         setWidth();
     }
     panel->show();
@@ -82,30 +94,59 @@ void LessonStage::standBack() {
     if (!place->hidden) panel->raise();
 }
 
+/// Each panel once for its letters: from then on its width is the person's.
 void LessonStage::setWidth() {
-    QDockWidget* panel = dock();
-    if (panel == nullptr || !m_place) return;
-    m_parts.window.resizeDocks({panel}, {static_cast<int>(panelWidth * m_parts.panel.letters())}, Qt::Horizontal);
+    const double letters = m_letters.times();
+    const bool changed = std::exchange(m_sizedFor, letters) != letters;
+    QDockWidget* const beside = m_fullScreen ? lookedAt() : nullptr;
+    QList<QDockWidget*> docks;
+    QList<int> widths;
+    if (dock() != nullptr && m_place && changed) {
+        docks << dock();
+        widths << static_cast<int>(panelWidth * letters);
+    }
+    if (beside != nullptr && (changed || m_sizedBeside != beside)) {
+        docks << beside;
+        widths << static_cast<int>(lookedAtWidth * letters);
+    }
+    m_sizedBeside = beside;
+    m_parts.window.resizeDocks(docks, widths, Qt::Horizontal);
 }
 
-void LessonStage::setFullScreen(bool full) {
-    if (!m_before) full = false;
-    if (std::exchange(m_fullScreen, full) == full) return;
-    m_lent.clear();  // leaving the full screen has put all into its place
-    full ? m_parts.window.installEventFilter(this) : m_parts.window.removeEventFilter(this);
-    fitLetters();
+void LessonStage::leaveFullScreen() {
+    if (!std::exchange(m_fullScreen, false)) return;
+    m_parts.window.removeEventFilter(this);
+    m_letters.set(nullptr, 1.0);
+    m_lookedAtLetters.set(nullptr, 1.0);
+    m_sizedFor = 0.0;
+    // The panels need less room at once: they get the widths that they had only if they may be so narrow.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+}
+
+void LessonStage::fullScreenChanged(bool full) {
     if (!m_before) return;
-    if (QDockWidget* panel = dock(); panel != nullptr && full) panel->show();
-    // Leaving the full screen shows all bars.
-    if (full)
+    m_lent.clear();  // leaving the full screen has put all into its place
+    if (!full) leaveFullScreen();
+    m_fullScreen = full;
+    if (full) {
+        m_parts.window.installEventFilter(this);
+        if (QDockWidget* panel = dock()) panel->show();
+        // Leaving the full screen shows all bars.
         for (QWidget* bar : m_parts.bars) bar->show();
+    }
     lookAt(m_outline.target() ? m_outline.target()->objectName() : QString());
 }
 
+/// On the full screen both panels have larger letters, as large as the height asks for and the picture's share of the
+/// width allows.
 void LessonStage::fitLetters() {
-    m_parts.panel.setLetters(m_fullScreen ? std::clamp(m_parts.window.height() / plainHeight, 1.0, largestLetters)
-                                          : 1.0);
-    // The panel has its least width with the next events.
+    if (!m_fullScreen) return;
+    const double wanted = m_parts.window.height() / plainHeight;
+    const double room = (1.0 - pictureShare) * m_parts.window.width() / (panelWidth + lookedAtWidth);
+    const double letters = std::clamp(std::min(wanted, room), 1.0, largestLetters);
+    m_letters.set(dock(), letters);
+    m_lookedAtLetters.set(lookedAt(), letters);
+    // The panels have their least widths with the next events.
     QTimer::singleShot(0, this, &LessonStage::setWidth);
 }
 
@@ -129,7 +170,6 @@ void LessonStage::resetStep() { m_parts.theory.setSetting(m_stepTheory); }
 
 void LessonStage::lookAt(const QString& name) {
     auto* target = name.isEmpty() ? nullptr : m_parts.window.findChild<QWidget*>(name);
-    if (m_outline.target() != nullptr) m_outline.target()->removeEventFilter(this);
     takeLentBut(target);
     for (QWidget* around = target; around != nullptr && !around->isWindow(); around = around->parentWidget()) {
         auto* dock = qobject_cast<QDockWidget*>(around);
@@ -140,25 +180,13 @@ void LessonStage::lookAt(const QString& name) {
         dock->raise();
     }
     m_outline.lieAround(target);
-    if (target == nullptr) return;
-    target->installEventFilter(this);
-    scrollToTarget();
-}
-
-/// What the step sets, or explains, may make rows and plots above the target, which get their places with the next
-/// events.
-void LessonStage::scrollToTarget() {
-    QTimer::singleShot(0, this, [this] {
-        QWidget* target = m_outline.target();
-        for (QWidget* around = target; around != nullptr; around = around->parentWidget())
-            if (auto* scroll = qobject_cast<QScrollArea*>(around)) scroll->ensureWidgetVisible(target);
-    });
+    fitLetters();
+    m_sight.keep(target);
 }
 
 bool LessonStage::eventFilter(QObject* watched, QEvent* event) {
     // The screen's size may come some time after the window has asked for it.
     if (event->type() == QEvent::Resize && watched == &m_parts.window) fitLetters();
-    if (event->type() == QEvent::Show && watched == m_outline.target()) scrollToTarget();
     return QObject::eventFilter(watched, event);
 }
 

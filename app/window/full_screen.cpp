@@ -35,6 +35,7 @@ void FullScreen::enter() {
 
 bool FullScreen::leave() {
     if (!std::exchange(m_active, false)) return false;
+    emit aboutToLeave();
     m_window.setWindowState(m_windowState);
     for (const QPointer<QWidget>& widget : std::exchange(m_hidden, {}))
         if (widget) widget->show();

@@ -25,6 +25,8 @@ public:
     bool leave();
 
 signals:
+    /// What changed on the full screen may go back, so that all finds the place that it had before.
+    void aboutToLeave();
     void changed();
 
 private:

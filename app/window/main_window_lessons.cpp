@@ -1,4 +1,5 @@
 // Lessons in the window: their stage and their player.
+#include <QAbstractButton>
 #include <QStatusBar>
 
 #include "app/lesson/lesson_author.h"
@@ -16,15 +17,18 @@
 namespace echolucent {
 
 void MainWindow::createLessons() {
-    m_lessonStage = std::make_unique<LessonStage>(LessonStage::Parts{*this,
-                                                                     *m_widgets.lessons,
-                                                                     *m_widgets.panes,
-                                                                     *m_tubeCoreChoice,
-                                                                     *m_widgets.theory,
-                                                                     {m_widgets.motion, statusBar()},
-                                                                     *m_widgets.controls});
+    m_lessonStage = std::make_unique<LessonStage>(
+        LessonStage::Parts{*this,
+                           *m_widgets.lessons,
+                           *m_widgets.panes,
+                           *m_tubeCoreChoice,
+                           *m_widgets.theory,
+                           *m_widgets.compare->findChild<QAbstractButton*>("compare.insets"),
+                           {m_widgets.motion, statusBar()},
+                           *m_widgets.controls});
+    connect(m_fullScreen, &FullScreen::aboutToLeave, m_lessonStage.get(), &LessonStage::leaveFullScreen);
     connect(m_fullScreen, &FullScreen::changed, m_lessonStage.get(),
-            [this] { m_lessonStage->setFullScreen(m_fullScreen->active()); });
+            [this] { m_lessonStage->fullScreenChanged(m_fullScreen->active()); });
     m_lessons = std::make_unique<LessonPlayer>(LessonPlayer::Parts{
         *this, m_document, m_openStudy, m_works, *m_otfs, *m_tubeCoreChoice, m_motionPlayer, *m_compare,
         *m_widgets.compare, *m_shownStudy, *m_sessions, *m_widgets.lessons, *m_lessonStage, *m_widgets.messages,

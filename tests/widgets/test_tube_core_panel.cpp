@@ -204,12 +204,15 @@ private slots:
         auto* words = child<QLabel>(panel, "tubeCores.growthWords");
         const int all = m_run->tubesWithWeight;
         QCOMPARE(growth->maximum(), all);
+        const auto* curves = child<PlotCanvas>(panel, "tubeCores.plot.curves");
+        const std::size_t lines = curves->plot().series.size();
+        QCOMPARE(curves->plot().series.back().y, m_run->curve.opacities);
         QSignalSpy grown(&panel, &TubeCorePanel::grownChanged);
         growth->setValue(all / 2);
+        QCOMPARE(curves->plot().series.size(), lines);  // no line comes that would push the slider away
         QCOMPARE(grown.count(), 1);
         QCOMPARE(panel.thirdCurve(), grownCurve(*m_run, static_cast<std::size_t>(all / 2)));
         QCOMPARE(words->text(), QString("%1 of %2 tube cores, heaviest first").arg(all / 2).arg(all));
-        const auto* curves = child<PlotCanvas>(panel, "tubeCores.plot.curves");
         QCOMPARE(curves->plot().series.back().y, panel.thirdCurve().opacities);
         growth->setValue(0);
         QCOMPARE(panel.thirdCurve().opacities, explained(number)->explanation->initial);

@@ -6,12 +6,11 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollBar>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/fitted_table.h"
 
 namespace echolucent {
 
@@ -23,26 +22,24 @@ CompareTable::CompareTable(QWidget* parent) : QGroupBox(tr("Measured"), parent) 
     m_note->setObjectName("compare.note");
     m_note->setWordWrap(true);
     column->addLayout(makeButtons());
-    fitTable();
     sayWhichSurfaces();
 }
 
-QTableWidget* CompareTable::makeTable() {
+FittedTable* CompareTable::makeTable() {
     const QStringList columns = compareColumns().mid(1), tips = compareTips().mid(1);
-    auto* table = named(new QTableWidget(0, static_cast<int>(columns.size())), "compare.table",
-                        tr("Table of the comparison"), tr("Rows are panes. Each heading says what its column asks."));
+    auto* table = named(new FittedTable(columns), "compare.table", tr("Table of the comparison"),
+                        tr("Rows are panes. Each heading says what its column asks."));
     for (int i = 0; i < columns.size(); ++i) {
         // The unit stands in a line of its own: the column of docks is narrow.
         auto* heading = new QTableWidgetItem(QString(columns[i]).replace(QLatin1Char(' '), QLatin1Char('\n')));
         heading->setToolTip(tips[i]);
         table->setHorizontalHeaderItem(i, heading);
     }
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setMinimumSectionSize(20);
     table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->fit();
     return table;
 }
 
@@ -96,21 +93,13 @@ void CompareTable::setRows(const std::vector<CompareRow>& rows) {
             m_table->setItem(row, column, item);
         }
     }
-    fitTable();
+    m_table->fit();
     sayWhichSurfaces();
     showFlickerAskedFor();
 }
 
 void CompareTable::sayWhichSurfaces() {
     m_note->setText((tr("Rows are panes. ") + surfacesSentence(m_rows)).trimmed());
-}
-
-/// Makes the table as high as its rows, so that it scrolls sideways only.
-void CompareTable::fitTable() {
-    int high =
-        m_table->horizontalHeader()->sizeHint().height() + m_table->horizontalScrollBar()->sizeHint().height() + 2;
-    for (int row = 0; row < m_table->rowCount(); ++row) high += m_table->rowHeight(row);
-    m_table->setFixedHeight(high);
 }
 
 }  // namespace echolucent

@@ -8,9 +8,10 @@
 
 class QLabel;
 class QPushButton;
-class QTableWidget;
 
 namespace echolucent {
+
+class FittedTable;
 
 /// Objects: compare.table, compare.measureFlicker, compare.copyText, compare.copyCsv, compare.savePage, compare.note.
 /// No setter emits a signal.
@@ -30,14 +31,13 @@ signals:
     void pageRequested();
 
 private:
-    [[nodiscard]] QTableWidget* makeTable();
+    [[nodiscard]] FittedTable* makeTable();
     [[nodiscard]] QLayout* makeButtons();
-    void fitTable();
     void showFlickerAskedFor();
     void sayWhichSurfaces();
 
     std::vector<CompareRow> m_rows;
-    QTableWidget* m_table = nullptr;
+    FittedTable* m_table = nullptr;
     QLabel* m_note = nullptr;
     QPushButton* m_flicker = nullptr;
     bool m_flickerAskedFor = false;  ///< by the button, and not seen since

@@ -71,11 +71,16 @@ bool LessonOutline::eventFilter(QObject* watched, QEvent* event) {
 
 QRect LessonOutline::rectangle() const {
     if (m_target == nullptr || !m_target->isVisible()) return {};
-    QRect seen(m_target->mapTo(&m_window, QPoint(0, 0)), m_target->size());
-    for (const QWidget* around = m_target->parentWidget(); around != nullptr && around != &m_window;
-         around = around->parentWidget())
-        seen &= QRect(around->mapTo(&m_window, QPoint(0, 0)), around->size());
-    return seen & m_window.rect();
+    const auto seenOf = [this](QRect place) {
+        place.translate(m_target->mapTo(&m_window, QPoint(0, 0)));
+        for (const QWidget* around = m_target->parentWidget(); around != nullptr && around != &m_window;
+             around = around->parentWidget())
+            place &= QRect(around->mapTo(&m_window, QPoint(0, 0)), around->size());
+        return place & m_window.rect();
+    };
+    const QRect target = m_target->rect();
+    // A text has no rim in which the frame could lie.
+    return seenOf(target).isEmpty() ? QRect() : seenOf(target.adjusted(-width, -width, width, width));
 }
 
 void LessonOutline::place() {

@@ -1,6 +1,5 @@
 #include "widgets/lesson/lessons_panel.h"
 
-#include <QApplication>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -288,7 +287,6 @@ void LessonsPanel::showAnswers(const LessonPage& page) {
         m_answerRows->addWidget(row);
         row->show();
     }
-    showLetters(*m_answers);
     m_answers->setVisible(!page.answers.isEmpty());
     m_verdict->setVisible(page.answered);
     m_verdict->setText(page.answered ? tr("Right.") : QString());
@@ -300,7 +298,7 @@ void LessonsPanel::answer(int place) {
     for (QRadioButton* button : buttons)
         button->setChecked(button->objectName() == QStringLiteral("lessons.answer.%1").arg(place));
     const bool right = place == m_page.right;
-    m_verdict->setText(right ? tr("Right.") : tr("No. Look once more."));
+    m_verdict->setText(right ? tr("Right.") : tr("No. Try again."));
     m_verdict->show();
     m_explanation->setVisible(right && !m_page.explanation.isEmpty());
     // The words get their places with the next events.
@@ -312,20 +310,6 @@ void LessonsPanel::answer(int place) {
     m_page.answered = true;
     showWhatIsDone();
     emit answeredRight();
-}
-
-void LessonsPanel::setLetters(double times) {
-    m_letters = times;
-    showLetters(*this);
-}
-
-/// Under a style sheet no widget takes over the font of the one around it.
-void LessonsPanel::showLetters(QWidget& inside) const {
-    for (QWidget* each : inside.findChildren<QWidget*>()) {
-        QFont font = each->font();
-        font.setPointSizeF(QApplication::font().pointSizeF() * m_letters);
-        each->setFont(font);
-    }
 }
 
 void LessonsPanel::setDone(bool done) {

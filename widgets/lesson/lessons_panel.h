@@ -62,9 +62,6 @@ public:
     void showPage(const LessonPage& page);
     /// Whether the step that is shown is done.
     void setDone(bool done);
-    /// Letters are so many times as large as those of the application, 1 at first.
-    void setLetters(double times);
-    [[nodiscard]] double letters() const { return m_letters; }
 
     [[nodiscard]] LessonEditor& editor() { return *m_editor; }
     void showEditor();
@@ -108,12 +105,10 @@ private:
     void answer(int place);
     void showEntry(int lesson);
     void showWhatIsDone();
-    void showLetters(QWidget& inside) const;
 
     QList<LessonEntry> m_lessons;
     LessonPage m_page;
     bool m_asked = false;  ///< for the list
-    double m_letters = 1.0;
     QStackedWidget* m_pages;
     QListWidget* m_list = nullptr;
     QLabel *m_summary = nullptr, *m_lesson = nullptr, *m_title = nullptr, *m_progress = nullptr, *m_done = nullptr;

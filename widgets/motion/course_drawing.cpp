@@ -31,8 +31,10 @@ QString rowName(const OtfCourse& course, int row) {
 double plotLeft(const QFontMetrics& metrics) { return metrics.horizontalAdvance("+45°") + 2 * markWidth; }
 
 double plotRight(const QFontMetrics& metrics) {
-    return legendGap + legendWidth + metrics.horizontalAdvance("0.5") + 10;
+    return legendGap + legendWidth(metrics) + metrics.horizontalAdvance("0.5") + 10;
 }
+
+double legendWidth(const QFontMetrics& metrics) { return std::max(12.0, 0.85 * metrics.height()); }
 
 namespace {
 

@@ -11,8 +11,7 @@
 namespace echolucent {
 
 inline constexpr double legendGap = 16.0;  ///< pixels between the map and its legend
-inline constexpr double legendWidth = 12.0;
-inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's present row
+inline constexpr double markWidth = 6.0;   ///< of the marks beside the map's present row
 
 /// The colour of the line of the first, the middle or the last row (`place` 0, 1, 2). Beside their colours the three
 /// lines differ in their dashes. The contrast with the plot's ground is at least 3 : 1.
@@ -25,6 +24,9 @@ inline constexpr double markWidth = 6.0;  ///< of the marks beside the map's pre
 /// from the canvas's left and right end.
 [[nodiscard]] double plotLeft(const QFontMetrics& metrics);
 [[nodiscard]] double plotRight(const QFontMetrics& metrics);
+
+/// The width of the map's legend, in which a word stands upright.
+[[nodiscard]] double legendWidth(const QFontMetrics& metrics);
 
 /// Ticks below the plot.
 void paintIntensityTicks(QPainter& painter, const PlotAxes& axes, const PlotColours& colours);

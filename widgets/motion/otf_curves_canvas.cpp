@@ -1,8 +1,10 @@
 #include "widgets/motion/otf_curves_canvas.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <algorithm>
 
+#include "widgets/larger_letters.h"
 #include "widgets/motion/course_drawing.h"
 
 namespace echolucent {
@@ -100,6 +102,7 @@ void OtfCurvesCanvas::paintEvent(QPaintEvent*) {
     painter.drawRect(m_axes.rect.adjusted(-0.5, -0.5, 0.5, 0.5));
 
     const std::vector<Line> shown = lines();
+    const double letters = lettersOf(*this);
     painter.save();
     painter.setClipRect(m_axes.rect.adjusted(-1, -2, 1, 2));
     for (const Line& line : shown) {
@@ -107,12 +110,14 @@ void OtfCurvesCanvas::paintEvent(QPaintEvent*) {
         const SampledCurve* curve = m_course.curve(line.row, m_mode);
         if (unsmoothed != nullptr && unsmoothed != curve) {
             QPen thin = line.pen;
-            thin.setWidthF(unsmoothedWidth);
+            thin.setWidthF(letters * unsmoothedWidth);
             painter.setPen(thin);
             painter.drawPolyline(polygonOf(*unsmoothed));
         }
         if (curve == nullptr) continue;
-        painter.setPen(line.pen);
+        QPen heavy = line.pen;
+        heavy.setWidthF(letters * heavy.widthF());
+        painter.setPen(heavy);
         painter.drawPolyline(polygonOf(*curve));
     }
     painter.restore();
@@ -156,6 +161,17 @@ void OtfCurvesCanvas::paintLegend(QPainter& painter, const std::vector<Line>& li
     if (smoothed && !lines.empty()) entry(QPen(colours.secondary, unsmoothedWidth), tr("unsmoothed"));
 }
 
+QSize OtfCurvesCanvas::sizeHint() const { return inLettersOf(*this, QSize(380, 200)); }
+
+QSize OtfCurvesCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(220, 130)); }
+
 void OtfCurvesCanvas::resizeEvent(QResizeEvent*) { layOut(); }
+
+void OtfCurvesCanvas::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::FontChange) return;
+    layOut();
+    updateGeometry();
+}
 
 }  // namespace echolucent

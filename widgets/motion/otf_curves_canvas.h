@@ -24,12 +24,13 @@ public:
     /// The rows with curves, in the order of the legend.
     [[nodiscard]] std::vector<int> shownRows() const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {380, 200}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 130}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     struct Line {

@@ -8,6 +8,7 @@
 
 #include "processing/adaptive/adaptive_otf_result.h"
 #include "widgets/controls/value_text.h"
+#include "widgets/larger_letters.h"
 #include "widgets/motion/course_drawing.h"
 
 namespace echolucent {
@@ -116,7 +117,8 @@ void OtfMapCanvas::paintRowAxis(QPainter& painter) const {
 void OtfMapCanvas::paintLegend(QPainter& painter) const {
     const PlotColours colours = plotColours(themeOf(palette()));
     const double height = painter.fontMetrics().height();
-    const QRectF bar(m_axes.rect.right() + legendGap, m_axes.rect.top(), legendWidth, m_axes.rect.height());
+    const QRectF bar(m_axes.rect.right() + legendGap, m_axes.rect.top(), legendWidth(painter.fontMetrics()),
+                     m_axes.rect.height());
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
     gradient.setColorAt(0, Qt::black);
     gradient.setColorAt(1, Qt::white);
@@ -139,7 +141,18 @@ void OtfMapCanvas::paintLegend(QPainter& painter) const {
     painter.restore();
 }
 
+QSize OtfMapCanvas::sizeHint() const { return inLettersOf(*this, QSize(380, 260)); }
+
+QSize OtfMapCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(220, 150)); }
+
 void OtfMapCanvas::resizeEvent(QResizeEvent*) { layOut(); }
+
+void OtfMapCanvas::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::FontChange) return;
+    layOut();
+    updateGeometry();
+}
 
 void OtfMapCanvas::mouseMoveEvent(QMouseEvent* event) {
     QString reading;

@@ -30,8 +30,8 @@ public:
     [[nodiscard]] QImage image() const;
     [[nodiscard]] const QRectF& plotRect() const { return m_axes.rect; }
 
-    [[nodiscard]] QSize sizeHint() const override { return {380, 260}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {220, 150}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// "+12°, intensity 0.42 (107), opacity 0.18"; empty if the pointer is elsewhere.
@@ -40,6 +40,7 @@ signals:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "widgets/controls/value_text.h"
+#include "widgets/larger_letters.h"
 #include "widgets/otf_editor/early_light_bars.h"
 
 namespace echolucent {
@@ -83,6 +84,10 @@ void CurveCanvas::resetZoom() {
     setOpacityRange({});
 }
 
+QSize CurveCanvas::sizeHint() const { return inLettersOf(*this, QSize(400, 250)); }
+
+QSize CurveCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(260, 150)); }
+
 double CurveCanvas::halfOfValues() const {
     double longest = 0.0;
     if (!m_values.isNormalised())
@@ -122,7 +127,7 @@ int CurveCanvas::nodeAt(QPointF position) const {
     if (!m_model.state().visible[indexOf(CurveKind::manual)]) return -1;
     const auto& nodes = m_model.state().manual.nodes;
     int nearest = -1;
-    double nearestDistance = hitDistance;
+    double nearestDistance = inLettersOf(*this, hitDistance);
     for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
         const QPointF away = m_axes.positionOf(nodes[static_cast<std::size_t>(i)]) - position;
         const double distance = std::max(std::abs(away.x()), std::abs(away.y()));
@@ -158,7 +163,10 @@ bool CurveCanvas::focusNextPrevChild(bool next) {
 void CurveCanvas::resizeEvent(QResizeEvent*) { layOutPlot(); }
 
 void CurveCanvas::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::FontChange) layOutPlot();
+    if (event->type() == QEvent::FontChange) {
+        layOutPlot();
+        updateGeometry();
+    }
     QWidget::changeEvent(event);
 }
 

@@ -23,7 +23,8 @@ class CurveCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// A press hits a node if it is nearer than this to the node's centre along each axis, in pixels.
+    /// A press hits a node if it is nearer than this to the node's centre along each axis, in pixels in
+    /// letters of the application's size.
     static constexpr double hitDistance = 10.0;
 
     explicit CurveCanvas(OtfEditorModel& model, QWidget* parent = nullptr);
@@ -48,8 +49,8 @@ public:
     /// Index of the node that a press at `position` would take, -1 for none.
     [[nodiscard]] int nodeAt(QPointF position) const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {400, 250}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {260, 150}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// The value under the pointer, and the node there (-1 for none). No value once the pointer has left the plot.
@@ -107,6 +108,8 @@ private:
     void paintDesign(QPainter& painter, const PlotColours& colors) const;
     void paintNodes(QPainter& painter, const PlotColours& colors) const;
     void paintGuides(QPainter& painter, const PlotColours& colors) const;
+    /// A pen for these letters.
+    [[nodiscard]] QPen inLetters(QPen pen) const;
     [[nodiscard]] QPolygonF curvePolygon(CurveKind kind) const;
     [[nodiscard]] QPolygonF polygonOf(const OpacityCurve& curve) const;
 

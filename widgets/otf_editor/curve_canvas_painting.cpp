@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "widgets/controls/value_text.h"
+#include "widgets/larger_letters.h"
 #include "widgets/otf_editor/curve_canvas.h"
 #include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/early_light_bars.h"
@@ -117,6 +118,11 @@ void CurveCanvas::paintLightHeldBack(QPainter& painter, const PlotColours& color
     painter.drawText(place, wrapped, words);
 }
 
+QPen CurveCanvas::inLetters(QPen pen) const {
+    pen.setWidthF(lettersOf(*this) * pen.widthF());
+    return pen;
+}
+
 QPolygonF CurveCanvas::curvePolygon(CurveKind kind) const {
     QPolygonF polygon;
     if (kind == CurveKind::manual) {  // through its nodes exactly, steps included
@@ -167,11 +173,11 @@ void CurveCanvas::paintCurve(QPainter& painter, CurveKind kind, const PlotColour
     const bool active = kind == state.active && !state.designed;
     const bool isAdjusted = active && state.adjustment != CurveAdjustment{};
     const QPolygonF polygon = isAdjusted ? polygonOf(renderedCurve(state)) : curvePolygon(kind);
-    const QPen pen = curvePen(kind, active, themeOf(palette()));
+    const QPen pen = inLetters(curvePen(kind, active, themeOf(palette())));
     painter.setBrush(Qt::NoBrush);
     if (isAdjusted) {
         // Draw the curve before adjustment too, thin: a person edits its nodes.
-        painter.setPen(curvePen(kind, false, themeOf(palette())));
+        painter.setPen(inLetters(curvePen(kind, false, themeOf(palette()))));
         painter.drawPolyline(curvePolygon(kind));
     }
     if (active) {
@@ -187,7 +193,7 @@ void CurveCanvas::paintDesign(QPainter& painter, const PlotColours& colors) cons
     const OtfEditorState& state = m_model.state();
     if (!state.designVisible || !state.design) return;
     const QPolygonF polygon = polygonOf(renderedCurve(state));
-    const QPen pen = designPen(themeOf(palette()));
+    const QPen pen = inLetters(designPen(themeOf(palette())));
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(colors.background, pen.widthF() + haloWidth, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
     painter.drawPolyline(polygon);
@@ -200,14 +206,15 @@ void CurveCanvas::paintNodes(QPainter& painter, const PlotColours& colors) const
     if (!state.visible[indexOf(CurveKind::manual)]) return;
     const QRectF shown = m_axes.rect.adjusted(-1, -1, 1, 1);
     const QColor color = curveColor(CurveKind::manual, themeOf(palette()));
+    const double letters = lettersOf(*this);
     for (int i = 0; i < static_cast<int>(state.manual.nodes.size()); ++i) {
         const QPointF centre = m_axes.positionOf(state.manual.nodes[static_cast<std::size_t>(i)]);
         if (!shown.contains(centre)) continue;
         const bool selected = i == m_model.selectedNode();
         const bool highlighted = selected || i == m_hoveredNode;
-        paintNode(painter, centre, highlighted ? highlightedNodeSide : nodeSide, selected ? color : colors.background,
-                  color);
-        if (selected) paintNode(painter, centre, highlightedNodeSide + 5, Qt::transparent, colors.text);
+        paintNode(painter, centre, letters * (highlighted ? highlightedNodeSide : nodeSide),
+                  selected ? color : colors.background, color);
+        if (selected) paintNode(painter, centre, letters * (highlightedNodeSide + 5), Qt::transparent, colors.text);
     }
 }
 
@@ -220,7 +227,7 @@ void CurveCanvas::paintGuides(QPainter& painter, const PlotColours& colors) cons
         if (onCurve.y() < m_axes.rect.top() - 1 || onCurve.y() > m_axes.rect.bottom() + 1) return;
         painter.setPen(QPen(colors.text, 1.5));
         painter.setBrush(colors.background);
-        painter.drawEllipse(onCurve, 3.5, 3.5);
+        painter.drawEllipse(onCurve, 3.5 * lettersOf(*this), 3.5 * lettersOf(*this));
     };
     if (m_cursorIntensity) guideAt(std::clamp(*m_cursorIntensity, 0.0, 1.0), colors.text, Qt::DashLine);
     if (m_pointer && m_hoveredNode < 0 && m_axes.rect.contains(*m_pointer))

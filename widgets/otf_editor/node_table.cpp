@@ -20,11 +20,16 @@ NodeTable::NodeTable(OtfEditorModel& model, QWidget* parent) : QTableView(parent
     horizontalHeader()->setHighlightSections(false);
     verticalHeader()->setHighlightSections(false);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     connect(&m_rows, &NodeTableModel::refused, this, &NodeTable::refused);
     connect(&m_rows, &QAbstractItemModel::modelReset, this, &NodeTable::showSelectedNode);
     connect(&m_editorModel, &OtfEditorModel::selectedNodeChanged, this, &NodeTable::showSelectedNode);
+}
+
+void NodeTable::fitRows(int shown) {
+    const int row = fontMetrics().height() + 8;
+    verticalHeader()->setDefaultSectionSize(row);
+    setFixedHeight((shown + 1) * row + 6);
 }
 
 void NodeTable::setValueWindow(const ValueWindow& window) {

@@ -15,6 +15,8 @@ class NodeTable : public QTableView {
 public:
     explicit NodeTable(OtfEditorModel& model, QWidget* parent = nullptr);
 
+    /// Makes the table as high as its heading and so many rows.
+    void fitRows(int shown);
     /// The file's values at intensities 0 and 1. If they are 0 and 1, their column is hidden.
     void setValueWindow(const ValueWindow& window);
 

@@ -50,7 +50,6 @@ OtfEditor::OtfEditor(DocumentModel& document, QWidget* parent) : QWidget(parent)
     m_readout->setWordWrap(true);
     m_readout->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_readout->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    m_readout->setFixedHeight(2 * m_readout->fontMetrics().height() + 2);  // the plot must not move
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
@@ -61,6 +60,7 @@ OtfEditor::OtfEditor(DocumentModel& document, QWidget* parent) : QWidget(parent)
     column->addWidget(m_pages = makePages());
     column->addLayout(makeFileRow());
     connectModel();
+    fitLetters();
     paintIcons();
     showState();
     showAdaptiveFacts();
@@ -175,7 +175,6 @@ QWidget* OtfEditor::makeManualPage() {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     m_nodeTable = new NodeTable(m_model);
-    m_nodeTable->setFixedHeight((shownNodeRows + 1) * (fontMetrics().height() + 8) + 6);
     row->addWidget(m_nodeTable, 1);
     auto* buttons = new QVBoxLayout;
     buttons->setSpacing(4);
@@ -266,7 +265,15 @@ void OtfEditor::openManualCurve(const ManualCurve& curve) {
 
 void OtfEditor::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) paintIcons();
+    // The letters of what stands in it follow.
+    if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &OtfEditor::fitLetters, Qt::QueuedConnection);
     QWidget::changeEvent(event);
+}
+
+void OtfEditor::fitLetters() {
+    m_readout->setFixedHeight(2 * m_readout->fontMetrics().height() + 2);  // the plot must not move
+    m_nodeTable->fitRows(shownNodeRows);
 }
 
 void OtfEditor::paintIcons() {
@@ -318,15 +325,15 @@ void OtfEditor::showAdaptiveFacts() {
 }
 
 QString OtfEditor::adaptiveFacts() const {
+    const QString cell = QStringLiteral("<td align='right' style='padding-left:12px; white-space:nowrap'>%1</td>");
     QString opacities;
     QString intensities;
     QString values;
     for (const double opacity : {0.01, 0.1, 0.5, 0.9}) {
         const std::optional<double> intensity = intensityReaching(state().adaptive, opacity);
-        opacities += QString("<td align='right' width='48'>%1</td>").arg(opacity);
-        intensities += QString("<td align='right'>%1</td>").arg(intensity ? intensityText(*intensity) : tr("never"));
-        values += QString("<td align='right'>%1</td>")
-                      .arg(intensity ? valueText(m_values.valueAt(*intensity), m_values) : QString());
+        opacities += cell.arg(opacity);
+        intensities += cell.arg(intensity ? intensityText(*intensity) : tr("never"));
+        values += cell.arg(intensity ? valueText(m_values.valueAt(*intensity), m_values) : QString());
     }
     const QString rowOfValues =
         m_values.isNormalised() ? QString() : QString("<tr><td>%1</td>%2</tr>").arg(tr("value"), values);

@@ -100,6 +100,7 @@ private:
     [[nodiscard]] QWidget* makeDesignPage();
     [[nodiscard]] QString renderedName() const;
     [[nodiscard]] QLayout* makeFileRow();
+    void fitLetters();
     void paintIcons();
     void showState();
     void showAdaptiveFacts();

@@ -13,14 +13,12 @@ namespace {
 
 constexpr double maxSlope = 255.0;  // opacity rises from 0 to 1 between two neighbouring 8-bit values
 constexpr double maxScale = 100.0;
-constexpr int spinButtonsWidth = 44;  // pixels: frame, padding and the two arrows
 
 ParameterSpinBox* spinBox(OtfEditorModel& model, const QString& objectName, const QString& name, double maximum) {
     auto* box = new ParameterSpinBox(model);
     box->setObjectName(objectName);
     box->setAccessibleName(name);
     box->setRange(0.0, maximum);
-    box->setFixedWidth(box->fontMetrics().horizontalAdvance("0.000000") + spinButtonsWidth);
     return box;
 }
 

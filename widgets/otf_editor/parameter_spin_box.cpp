@@ -8,14 +8,16 @@
 namespace echolucent {
 
 namespace {
+constexpr int besideNumber = 44;             // pixels: frame, padding and the two arrows
 constexpr int wheelBurstMilliseconds = 400;  // a turn of the wheel within this time continues the burst
-}
+}  // namespace
 
 ParameterSpinBox::ParameterSpinBox(OtfEditorModel& model, QWidget* parent) : NumberBox(parent), m_model(model) {
     setDecimals(6);
     setSingleStep(0.01);
     setAlignment(Qt::AlignRight);
     setFocusPolicy(Qt::StrongFocus);
+    fitWidth();
     m_wheelBurst.setSingleShot(true);
     m_wheelBurst.setInterval(wheelBurstMilliseconds);
     connect(&m_wheelBurst, &QTimer::timeout, this, [this] { m_gesture = OtfEditorModel::noGesture; });
@@ -40,6 +42,13 @@ QString ParameterSpinBox::textFromValue(double value) const {
     QString text = QString::number(value, 'f', decimals());
     while (text.endsWith('0') && text.size() - text.indexOf('.') > fewestDecimals + 1) text.chop(1);
     return text;
+}
+
+void ParameterSpinBox::fitWidth() { setFixedWidth(fontMetrics().horizontalAdvance("0.000000") + besideNumber); }
+
+void ParameterSpinBox::changeEvent(QEvent* event) {
+    NumberBox::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitWidth();
 }
 
 void ParameterSpinBox::keyPressEvent(QKeyEvent* event) {

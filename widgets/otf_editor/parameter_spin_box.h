@@ -10,7 +10,7 @@
 namespace echolucent {
 
 /// Emits `edited` for changes by a person or a script. All steps of one held key or button, or of one burst of the
-/// wheel, share a gesture.
+/// wheel, share a gesture. The field is as wide as its longest number.
 class ParameterSpinBox : public NumberBox {
     Q_OBJECT
 
@@ -26,6 +26,7 @@ signals:
     void edited(double value, echolucent::OtfEditorModel::Gesture gesture);
 
 protected:
+    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -36,6 +37,7 @@ protected:
 private:
     [[nodiscard]] double round(double value) const;
     void beginGesture();
+    void fitWidth();
 
     OtfEditorModel& m_model;
     std::optional<double> m_shown;  // exact; value() is rounded

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/larger_letters.h"
 #include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/plot_axes.h"
 #include "widgets/otf_editor/plot_colours.h"
@@ -84,7 +85,7 @@ QPointF DesignPlotCanvas::positionOf(std::size_t index) const {
 std::optional<std::size_t> DesignPlotCanvas::maximumAt(QPointF position) const {
     if (!m_pickable) return std::nullopt;
     std::optional<std::size_t> nearest;
-    double least = hitDistance;
+    double least = inLettersOf(*this, hitDistance);
     for (std::size_t i = 0; i < m_maxima.size(); ++i) {
         const double distance = std::abs(positionOf(m_maxima[i]).x() - position.x());
         if (distance > least) continue;
@@ -100,6 +101,7 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
     const PlotColours colours = plotColours(themeOf(palette()));
     const QRectF plot = area();
     const int line = fontMetrics().height();
+    const double letters = lettersOf(*this);
     painter.fillRect(rect(), colours.background);
     painter.setPen(QPen(colours.frame, 1.0));
     painter.drawRect(plot);
@@ -108,8 +110,9 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
         painter.setPen(QPen(colours.grid, 1.0));
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(colours.text);
-        const double centre = std::min(x, width() - 18.0);
-        painter.drawText(QRectF(centre - 20, plot.bottom() + 2, 40, line), Qt::AlignCenter, tickText(tick));
+        const double half = painter.fontMetrics().horizontalAdvance(tickText(tick)) / 2.0 + 1;
+        const double centre = std::min(x, width() - half);
+        painter.drawText(QRectF(centre - half, plot.bottom() + 2, 2 * half, line), Qt::AlignCenter, tickText(tick));
     }
     painter.setPen(colours.secondary);
     painter.drawText(QRectF(plot.left(), plot.bottom() + 2 + line, plot.width(), line), Qt::AlignCenter,
@@ -124,11 +127,11 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
     }
     if (m_marked) {
         const double x = plot.left() + plot.width() * std::clamp(*m_marked, 0.0, 1.0);
-        painter.setPen(QPen(colours.text, 1.0, Qt::DashLine));
+        painter.setPen(QPen(colours.text, letters, Qt::DashLine));
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
     }
     const QColor colour = designColor(themeOf(palette()));
-    painter.setPen(QPen(colour, 1.6));
+    painter.setPen(QPen(colour, 1.6 * letters));
     QPolygonF piece;
     for (std::size_t i = 0; i < m_plot.values.size(); ++i) {
         if (std::isfinite(m_plot.values[i])) {
@@ -143,7 +146,7 @@ void DesignPlotCanvas::paintEvent(QPaintEvent*) {
     for (std::size_t i = 0; i < m_maxima.size(); ++i) {
         painter.setPen(QPen(i == m_chosen ? colours.text : colour, 1.5));
         painter.setBrush(i == m_chosen ? colour : colours.background);
-        painter.drawEllipse(positionOf(m_maxima[i]), 4.0, 4.0);
+        painter.drawEllipse(positionOf(m_maxima[i]), 4.0 * letters, 4.0 * letters);
     }
 }
 
@@ -161,6 +164,15 @@ void DesignPlotCanvas::mouseMoveEvent(QMouseEvent* event) {
 void DesignPlotCanvas::leaveEvent(QEvent*) {
     m_chosen.reset();
     update();
+}
+
+QSize DesignPlotCanvas::sizeHint() const { return inLettersOf(*this, QSize(300, 150)); }
+
+QSize DesignPlotCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(200, 130)); }
+
+void DesignPlotCanvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) updateGeometry();
+    QWidget::changeEvent(event);
 }
 
 bool DesignPlotCanvas::event(QEvent* event) {

@@ -19,7 +19,7 @@ class DesignPlotCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr double hitDistance = 12.0;  ///< pixels
+    static constexpr double hitDistance = 12.0;  ///< pixels, in letters of the application's size
 
     explicit DesignPlotCanvas(QWidget* parent = nullptr);
 
@@ -30,8 +30,8 @@ public:
     /// The pixel of a point of the line.
     [[nodiscard]] QPointF positionOf(std::size_t index) const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {300, 150}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 130}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// A maximum was picked: its intensity.
@@ -39,6 +39,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "widgets/larger_letters.h"
 #include "widgets/otf_editor/curve_style.h"
 #include "widgets/otf_editor/plot_colours.h"
 
@@ -50,9 +51,10 @@ EmphasisNode EmphasisCanvas::valueAt(QPointF position) const {
 }
 
 int EmphasisCanvas::nodeAt(QPointF position) const {
+    const double hit = inLettersOf(*this, hitDistance);
     for (int i = static_cast<int>(m_nodes.size()) - 1; i >= 0; --i) {
         const QPointF distance = positionOf(m_nodes[static_cast<std::size_t>(i)]) - position;
-        if (std::abs(distance.x()) <= hitDistance && std::abs(distance.y()) <= hitDistance) return i;
+        if (std::abs(distance.x()) <= hit && std::abs(distance.y()) <= hit) return i;
     }
     return -1;
 }
@@ -80,7 +82,7 @@ void EmphasisCanvas::paintEvent(QPaintEvent*) {
         painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
         painter.setPen(colours.text);
         const QString text = tick < 0 ? QStringLiteral("−%1").arg(-tick) : QString::number(tick);
-        painter.drawText(QRectF(x - 20, plot.bottom() + 2, 40, line), Qt::AlignCenter, text);
+        painter.drawText(QRectF(x - line, plot.bottom() + 2, 2 * line, line), Qt::AlignCenter, text);
     }
     for (const double tick : {0.0, 0.5, 1.0}) {
         const double y = positionOf({0, tick}).y();
@@ -96,7 +98,7 @@ void EmphasisCanvas::paintEvent(QPaintEvent*) {
     curve << positionOf({-shownPositions, m_nodes.front().opacity});
     for (const EmphasisNode& node : m_nodes) curve << positionOf(node);
     curve << positionOf({shownPositions, m_nodes.back().opacity});
-    painter.setPen(QPen(colour, 2.0));
+    painter.setPen(QPen(colour, 2.0 * lettersOf(*this)));
     painter.save();
     painter.setClipRect(plot.adjusted(-1, -2, 1, 2));
     painter.drawPolyline(curve);
@@ -104,8 +106,8 @@ void EmphasisCanvas::paintEvent(QPaintEvent*) {
     for (int i = 0; i < static_cast<int>(m_nodes.size()); ++i) {
         const QPointF centre = positionOf(m_nodes[static_cast<std::size_t>(i)]);
         const bool selected = i == m_selected;
-        paintNode(painter, centre, 8, selected ? colour : colours.background, colour);
-        if (selected) paintNode(painter, centre, 14, Qt::transparent, colours.text);
+        paintNode(painter, centre, inLettersOf(*this, 8), selected ? colour : colours.background, colour);
+        if (selected) paintNode(painter, centre, inLettersOf(*this, 14), Qt::transparent, colours.text);
     }
 }
 
@@ -181,6 +183,15 @@ bool EmphasisCanvas::nudge(int key) {
 bool EmphasisCanvas::isOwnKey(int key) {
     return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down ||
            key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Delete;
+}
+
+QSize EmphasisCanvas::sizeHint() const { return inLettersOf(*this, QSize(300, 160)); }
+
+QSize EmphasisCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(200, 140)); }
+
+void EmphasisCanvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) updateGeometry();
+    QWidget::changeEvent(event);
 }
 
 bool EmphasisCanvas::event(QEvent* event) {

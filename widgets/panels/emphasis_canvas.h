@@ -16,7 +16,7 @@ class EmphasisCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr double hitDistance = 10.0;    ///< pixels
+    static constexpr double hitDistance = 10.0;    ///< pixels, in letters of the application's size
     static constexpr double shownPositions = 4.0;  ///< standard deviations to either side of the boundary's middle
 
     explicit EmphasisCanvas(QWidget* parent = nullptr);
@@ -25,8 +25,8 @@ public:
     void setNodes(const std::vector<EmphasisNode>& nodes);
     [[nodiscard]] QPointF positionOf(const EmphasisNode& node) const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {300, 160}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, 140}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     /// A drag goes on. dragEnded() or dragCancelled() follows, unless setNodes() sets other nodes and so ends the drag.
@@ -38,6 +38,7 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     bool focusNextPrevChild(bool next) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;

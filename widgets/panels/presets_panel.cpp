@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/larger_letters.h"
 
 namespace echolucent {
 
@@ -156,7 +157,7 @@ void PresetsPanel::setCurrent(int preset) {
 void PresetsPanel::showCurrent() {
     const QSignalBlocker blocker(m_list);
     for (int row = 0; row < m_list->count(); ++row) {
-        QFont font = m_list->font();
+        QFont font;  // its size is the list's
         font.setBold(row == m_current);
         m_list->item(row)->setFont(font);
     }
@@ -186,13 +187,15 @@ void PresetsPanel::hideEvent(QHideEvent* event) {
 
 bool PresetsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (watched == m_list->viewport() && event->type() == QEvent::Resize) fitHeight();
+    if (watched == m_list->viewport() && event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &PresetsPanel::fitHeight, Qt::QueuedConnection);
     return QWidget::eventFilter(watched, event);
 }
 
 /// Fits as many columns as there is room for, and the height to the rows.
 void PresetsPanel::fitHeight() {
     const int nameHeight = linesOfName * m_list->fontMetrics().lineSpacing();
-    const int columns = std::max(1, m_list->viewport()->width() / (pictureWidth + gap));
+    const int columns = std::max(1, m_list->viewport()->width() / inLettersOf(*m_list, pictureWidth + gap));
     const QSize cell((m_list->viewport()->width() - 1) / columns, pictureHeight + nameHeight + gap);
     if (m_list->gridSize() != cell) m_list->setGridSize(cell);
     const int rows = (m_list->count() + columns - 1) / columns;

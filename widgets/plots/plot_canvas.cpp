@@ -7,6 +7,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "widgets/larger_letters.h"
 #include "widgets/otf_editor/plot_colours.h"
 #include "widgets/plots/plot_painting.h"
 
@@ -44,9 +45,12 @@ void PlotCanvas::setPlot(const Plot& plot) {
 }
 
 int PlotCanvas::heightForWidth(int width) const {
+    const double letters = lettersOf(*this);
     return static_cast<int>(
-        std::ceil(PlotPainting::heightFor(m_plot, width - 2 * rim, m_areaHeight, font()) + 2 * rim));
+        std::ceil(PlotPainting::heightFor(m_plot, width - 2 * rim, letters * m_areaHeight, font(), letters) + 2 * rim));
 }
+
+QSize PlotCanvas::minimumSizeHint() const { return inLettersOf(*this, QSize(200, m_areaHeight + 40)); }
 
 QRectF PlotCanvas::place() const { return QRectF(rect()).adjusted(rim, rim, -rim, -rim); }
 
@@ -54,7 +58,7 @@ QString PlotCanvas::wordsAt(QPointF position) const {
     QPixmap measure(1, 1);  // the font's metrics need a device
     QPainter painter(&measure);
     painter.setFont(font());
-    const PlotPainting painting(m_plot, place(), painter);
+    const PlotPainting painting(m_plot, place(), painter, lettersOf(*this));
     const auto point = painting.pointAt(position);
     if (!point) return {};
     const PlotSeries& series = m_plot.series[point->series];
@@ -79,6 +83,11 @@ bool PlotCanvas::event(QEvent* event) {
     return true;
 }
 
+void PlotCanvas::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) updateGeometry();
+    QWidget::changeEvent(event);
+}
+
 void PlotCanvas::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const Theme theme = themeOf(palette());
@@ -91,7 +100,7 @@ void PlotCanvas::paintEvent(QPaintEvent*) {
                           .frame = colours.frame,
                           .band = colours.histogram,
                           .dark = theme == Theme::dark};
-    PlotPainting(m_plot, place(), painter).paint(painter, paint);
+    PlotPainting(m_plot, place(), painter, lettersOf(*this)).paint(painter, paint);
 }
 
 }  // namespace echolucent

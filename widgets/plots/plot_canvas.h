@@ -13,7 +13,8 @@ class PlotCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    /// `areaHeight` is the height of the part in which the lines stand, pixels.
+    /// `areaHeight` is the height of the part in which the lines stand in letters of the application's size, pixels.
+    /// Larger letters make all of the plot larger.
     explicit PlotCanvas(QWidget* parent = nullptr, int areaHeight = 120);
 
     void setPlot(const Plot& plot);
@@ -22,12 +23,13 @@ public:
     [[nodiscard]] QString wordsAt(QPointF position) const;
 
     [[nodiscard]] QSize sizeHint() const override { return {300, heightForWidth(300)}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {200, m_areaHeight + 40}; }
+    [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] bool hasHeightForWidth() const override { return true; }
     [[nodiscard]] int heightForWidth(int width) const override;
 
 protected:
     bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:

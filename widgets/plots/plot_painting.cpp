@@ -14,7 +14,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr double sampleLength = 24.0, sampleGap = 5.0, entryGap = 14.0, axisGap = 4.0;
+// In pixels, at scale 1.
+constexpr double sampleLength = 24.0, sampleGap = 5.0, entryGap = 14.0, axisGap = 4.0, markerRadius = 3.5;
 
 std::vector<double> valuesOf(const Plot& plot, std::vector<double> PlotSeries::*values) {
     std::vector<double> all;
@@ -34,18 +35,19 @@ struct LegendEntry {
     QPointF at;                         ///< left end of its sample, middle of its row; relative to the legend
 };
 
-std::vector<LegendEntry> legendOf(const Plot& plot, double width, const QFontMetricsF& metrics, double& height) {
+std::vector<LegendEntry> legendOf(const Plot& plot, double width, const QFontMetricsF& metrics, double scale,
+                                  double& height) {
     std::vector<LegendEntry> entries;
     const double row = metrics.height();
     double x = 0.0, y = row / 2;
     const auto add = [&](const std::string& name, std::optional<std::size_t> series) {
-        const double wide = sampleLength + sampleGap + metrics.horizontalAdvance(wordsOf(name));
+        const double wide = scale * (sampleLength + sampleGap) + metrics.horizontalAdvance(wordsOf(name));
         if (x > 0.0 && x + wide > width) {
             x = 0.0;
             y += row;
         }
         entries.push_back({wordsOf(name), series, {x, y}});
-        x += wide + entryGap;
+        x += wide + scale * entryGap;
     };
     for (std::size_t i = 0; i < plot.series.size(); ++i)
         if (!plot.series[i].name.empty()) add(plot.series[i].name, i);
@@ -56,26 +58,27 @@ std::vector<LegendEntry> legendOf(const Plot& plot, double width, const QFontMet
     return entries;
 }
 
-QPen penOf(const PlotSeries& series, std::size_t colour, bool dark) {
+QPen penOf(const PlotSeries& series, std::size_t colour, bool dark, double scale) {
     const SeriesColour& style = colourAt(colour);
     const std::string_view name = dark ? style.onDark : style.onLight;
     const double width = series.weight == PlotWeight::heavy ? 2.8 : series.weight == PlotWeight::faint ? 0.8 : 1.6;
-    QPen pen(QColor(QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()))), width);
+    QPen pen(QColor(QString::fromLatin1(name.data(), static_cast<qsizetype>(name.size()))), scale * width);
     pen.setCapStyle(Qt::FlatCap);
     pen.setJoinStyle(Qt::RoundJoin);
     QList<qreal> dashes;
     for (const QByteArray& dash :
          QByteArray(style.dashes.data(), static_cast<qsizetype>(style.dashes.size())).split(' '))
-        if (!dash.isEmpty()) dashes << dash.toDouble() / pen.widthF();
+        if (!dash.isEmpty()) dashes << dash.toDouble() / width;
     if (!dashes.isEmpty()) pen.setDashPattern(dashes);
     return pen;
 }
 
 }  // namespace
 
-PlotPainting::PlotPainting(const Plot& plot, const QRectF& rect, const QPainter& painter)
+PlotPainting::PlotPainting(const Plot& plot, const QRectF& rect, const QPainter& painter, double scale)
     : m_plot(plot),
       m_rect(rect),
+      m_scale(scale),
       m_x(valuesOf(plot, &PlotSeries::x), plot.logX, plot.rangeX),
       m_y(valuesOf(plot, &PlotSeries::y), plot.logY, plot.rangeY),
       m_colours(coloursOf(plot.series)) {
@@ -84,7 +87,7 @@ PlotPainting::PlotPainting(const Plot& plot, const QRectF& rect, const QPainter&
     double numbers = 0.0, legend = 0.0;
     for (const PlotTick& tick : m_y.ticks())
         numbers = std::max(numbers, metrics.horizontalAdvance(wordsOf(tick.label)));
-    (void)legendOf(plot, rect.width(), metrics, legend);
+    (void)legendOf(plot, rect.width(), metrics, scale, legend);
     // Under the title stands what goes up, below the numbers what goes across: no word is turned.
     const double top = (plot.title.empty() ? 0.0 : m_row) + (plot.yLabel.empty() ? 0.0 : m_row) + axisGap;
     const double bottom =
@@ -94,10 +97,10 @@ PlotPainting::PlotPainting(const Plot& plot, const QRectF& rect, const QPainter&
     if (m_area.width() < 1.0) m_area.setWidth(1.0);
 }
 
-double PlotPainting::heightFor(const Plot& plot, double width, double areaHeight, const QFont& font) {
+double PlotPainting::heightFor(const Plot& plot, double width, double areaHeight, const QFont& font, double scale) {
     const QFontMetricsF metrics(font);
     double legend = 0.0;
-    (void)legendOf(plot, width, metrics, legend);
+    (void)legendOf(plot, width, metrics, scale, legend);
     const int rows = 1 + (plot.title.empty() ? 0 : 1) + (plot.yLabel.empty() ? 0 : 1) + (plot.xLabel.empty() ? 0 : 1);
     return areaHeight + rows * metrics.height() + 2 * axisGap + (legend > 0.0 ? legend + axisGap : 0.0);
 }
@@ -203,7 +206,7 @@ void PlotPainting::paintGrid(QPainter& painter, const PlotPaint& paint) const {
 
 void PlotPainting::paintMarks(QPainter& painter, const PlotPaint& paint) const {
     const QFontMetricsF metrics(painter.font());
-    const QPen pen(paint.secondary, 1.0, Qt::DashLine);
+    const QPen pen(paint.secondary, m_scale, Qt::DashLine);
     // Names of upright lines that stand close together go on lines of text of their own.
     constexpr std::size_t mostRows = 4;
     std::vector<double> ends;
@@ -236,7 +239,7 @@ void PlotPainting::paintMarks(QPainter& painter, const PlotPaint& paint) const {
 
 void PlotPainting::paintSeries(QPainter& painter, const PlotPaint& paint, std::size_t index) const {
     const PlotSeries& series = m_plot.series[index];
-    const QPen pen = penOf(series, m_colours[index], paint.dark);
+    const QPen pen = penOf(series, m_colours[index], paint.dark, m_scale);
     if (series.line) {
         painter.setPen(pen);
         painter.setBrush(Qt::NoBrush);
@@ -259,34 +262,35 @@ void PlotPainting::paintSeries(QPainter& painter, const PlotPaint& paint, std::s
     for (std::size_t k = 0; k < countOf(series); ++k) {
         if (!m_x.shows(series.x[k]) || !m_y.shows(series.y[k])) continue;
         const QPointF at = positionOf(series.x[k], series.y[k]);
-        painter.drawEllipse(at, 3.5, 3.5);
+        painter.drawEllipse(at, m_scale * markerRadius, m_scale * markerRadius);
         if (k >= series.labels.size() || series.labels[k].empty()) continue;
         painter.save();
         painter.setPen(paint.text);
-        painter.drawText(at + QPointF(5, -4), wordsOf(series.labels[k]));
+        painter.drawText(at + m_scale * QPointF(5, -4), wordsOf(series.labels[k]));
         painter.restore();
     }
 }
 
 void PlotPainting::paintLegend(QPainter& painter, const PlotPaint& paint) const {
     double height = 0.0;
-    const auto entries = legendOf(m_plot, m_rect.width(), QFontMetricsF(painter.font()), height);
+    const auto entries = legendOf(m_plot, m_rect.width(), QFontMetricsF(painter.font()), m_scale, height);
     const QPointF origin(m_rect.left(), m_rect.bottom() - height);
+    const double sample = m_scale * sampleLength, radius = m_scale * markerRadius;
     for (const LegendEntry& entry : entries) {
         const QPointF at = origin + entry.at;
         if (!entry.series) {
-            painter.fillRect(QRectF(at.x(), at.y() - m_row / 3, sampleLength, m_row * 2 / 3), paint.band);
+            painter.fillRect(QRectF(at.x(), at.y() - m_row / 3, sample, m_row * 2 / 3), paint.band);
         } else {
             const PlotSeries& series = m_plot.series[*entry.series];
-            const QPen pen = penOf(series, m_colours[*entry.series], paint.dark);
+            const QPen pen = penOf(series, m_colours[*entry.series], paint.dark, m_scale);
             painter.setPen(pen);
-            if (series.line) painter.drawLine(at, at + QPointF(sampleLength, 0));
+            if (series.line) painter.drawLine(at, at + QPointF(sample, 0));
             painter.setPen(Qt::NoPen);
             painter.setBrush(pen.color());
-            if (series.markers) painter.drawEllipse(at + QPointF(sampleLength / 2, 0), 3.5, 3.5);
+            if (series.markers) painter.drawEllipse(at + QPointF(sample / 2, 0), radius, radius);
         }
         painter.setPen(paint.text);
-        painter.drawText(QRectF(at.x() + sampleLength + sampleGap, at.y() - m_row / 2, m_rect.width(), m_row),
+        painter.drawText(QRectF(at.x() + sample + m_scale * sampleGap, at.y() - m_row / 2, m_rect.width(), m_row),
                          Qt::AlignLeft | Qt::AlignVCenter, entry.name);
     }
 }

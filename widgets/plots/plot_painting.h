@@ -23,8 +23,9 @@ struct PlotPaint {
 /// A plot that was laid out into a rectangle: title, axes, lines, and the legend below.
 class PlotPainting {
 public:
-    /// `plot` must outlive this. The font of `painter` decides how high texts are.
-    PlotPainting(const Plot& plot, const QRectF& rect, const QPainter& painter);
+    /// `plot` must outlive this. The font of `painter` decides how high texts are. Lines, marks, and the lengths and
+    /// gaps of the legend are `scale` times as large as in letters of the application's size.
+    PlotPainting(const Plot& plot, const QRectF& rect, const QPainter& painter, double scale = 1.0);
 
     void paint(QPainter& painter, const PlotPaint& paint) const;
     /// The part of the rectangle in which the lines stand.
@@ -36,8 +37,9 @@ public:
         std::size_t series = 0, index = 0;
     };
     [[nodiscard]] std::optional<Point> pointAt(QPointF position) const;
-    /// The height that a plot needs, if it is `width` wide and its lines stand in `areaHeight`.
-    [[nodiscard]] static double heightFor(const Plot& plot, double width, double areaHeight, const QFont& font);
+    /// The height that a plot needs, if it is `width` wide and its lines stand in `areaHeight`. `scale` as above.
+    [[nodiscard]] static double heightFor(const Plot& plot, double width, double areaHeight, const QFont& font,
+                                          double scale = 1.0);
 
 private:
     void paintBands(QPainter& painter, const PlotPaint& paint) const;
@@ -48,6 +50,7 @@ private:
 
     const Plot& m_plot;
     QRectF m_rect, m_area;
+    double m_scale;
     PlotAxis m_x, m_y;
     std::vector<std::size_t> m_colours;
     double m_row = 0.0;  ///< height of a line of text

@@ -5,7 +5,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "widgets/controls/narrow_combo.h"
 #include "widgets/controls/panel_controls.h"
 #include "widgets/controls/value_slider.h"
+#include "widgets/fitted_table.h"
 #include "widgets/plots/plot_canvas.h"
 
 namespace echolucent {
@@ -153,17 +153,12 @@ QLayout* TheoryPanel::createButtons() {
     return row;
 }
 
-QTableWidget* TheoryPanel::createTable() {
+FittedTable* TheoryPanel::createTable() {
     const QStringList headings{tr("C of\nfluid"), tr("C into\ntissue"), tr("Contrast")};
-    auto* table = named(
-        new QTableWidget(0, static_cast<int>(headings.size())), "theory.table", tr("Pixels and contrast of each curve"),
-        tr("C(r) by eqs. 2 and 3, share of white: of a ray through fluid alone, and of one into tissue"));
-    table->setHorizontalHeaderLabels(headings);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setTabKeyNavigation(false);  // Tab goes on to the next control
+    auto* table =
+        named(new FittedTable(headings), "theory.table", tr("Pixels and contrast of each curve"),
+              tr("C(r) by eqs. 2 and 3, share of white: of a ray through fluid alone, and of one into tissue"));
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     return table;
 }
 
@@ -225,7 +220,6 @@ void TheoryPanel::tell() {
 void TheoryPanel::showTable() {
     const std::vector<CurveContrast> contrasts = contrastsOf(m_setting);
     m_table->setRowCount(static_cast<int>(contrasts.size()));
-    int high = m_table->horizontalHeader()->sizeHint().height() + 2;
     for (int row = 0; row < m_table->rowCount(); ++row) {
         const CurveContrast& one = contrasts[static_cast<std::size_t>(row)];
         m_table->setVerticalHeaderItem(row, new QTableWidgetItem(QString::fromStdString(one.name)));
@@ -235,9 +229,8 @@ void TheoryPanel::showTable() {
             item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             m_table->setItem(row, column, item);
         }
-        high += m_table->rowHeight(row);
     }
-    m_table->setFixedHeight(high);
+    m_table->fit();
 }
 
 void TheoryPanel::showEvent(QShowEvent* event) {

@@ -12,10 +12,10 @@ class QComboBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QTableWidget;
 
 namespace echolucent {
 
+class FittedTable;
 class PlotCanvas;
 class ValueSlider;
 
@@ -49,7 +49,7 @@ private:
     void addSliders(QGridLayout& grid);
     void addChoices(QGridLayout& grid);
     QLayout* createButtons();
-    QTableWidget* createTable();
+    FittedTable* createTable();
     void takeFromStudy();
     void showControls();
     void follow();
@@ -65,7 +65,7 @@ private:
     QComboBox *m_scaling = nullptr, *m_contrast = nullptr, *m_axisChoice = nullptr;
     QPushButton* m_fromStudy = nullptr;
     QLabel *m_origin = nullptr, *m_words = nullptr;
-    QTableWidget* m_table = nullptr;
+    FittedTable* m_table = nullptr;
     PlotCanvas *m_contrastPlot = nullptr, *m_pixelPlot = nullptr, *m_curvePlot = nullptr;
 };
 

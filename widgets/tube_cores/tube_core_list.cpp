@@ -1,5 +1,6 @@
 #include "widgets/tube_cores/tube_core_list.h"
 
+#include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
 #include <QPainter>
@@ -9,6 +10,7 @@
 #include <utility>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/larger_letters.h"
 #include "widgets/tube_cores/tube_core_map.h"
 #include "widgets/tube_cores/tube_core_words.h"
 
@@ -23,7 +25,7 @@ public:
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         QStyledItemDelegate::paint(painter, option, index);
-        constexpr double side = 13.0;
+        const double side = 13.0 * (option.widget != nullptr ? lettersOf(*option.widget) : 1.0);
         painter->save();
         painter->setRenderHint(QPainter::Antialiasing);
         paintTubeCoreSign(*painter,
@@ -116,11 +118,23 @@ TubeCoreList::TubeCoreList(QWidget* parent)
     setWordWrap(false);
     setItemDelegateForColumn(TubeCoreListModel::state, new SignDelegate(this));
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
+    verticalHeader()->setMinimumSectionSize(1);  // that of its letters, which it gets after the list, keeps rows high
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(20);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setSectionResizeMode(TubeCoreListModel::state, QHeaderView::Stretch);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    fit();
+    setSortingEnabled(true);
+    sortByColumn(TubeCoreListModel::number, Qt::AscendingOrder);
+    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
+        if (!m_following && now.isValid()) emit chosen(m_sorted->mapToSource(now).row());
+    });
+}
+
+/// The columns are as wide as their words.
+void TubeCoreList::fit() {
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
     const QFontMetrics metrics = fontMetrics();
     const auto wide = [&](const QString& widest) { return metrics.horizontalAdvance(widest) + 11; };
     horizontalHeader()->resizeSection(TubeCoreListModel::number, wide("000"));
@@ -129,14 +143,13 @@ TubeCoreList::TubeCoreList(QWidget* parent)
     horizontalHeader()->resizeSection(TubeCoreListModel::low, wide("0.000"));
     horizontalHeader()->resizeSection(TubeCoreListModel::high, wide("0.000"));
     horizontalHeader()->resizeSection(TubeCoreListModel::weight, wide("0.0000"));
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setMinimumWidth(240);
-    setFixedHeight(190);
-    setSortingEnabled(true);
-    sortByColumn(TubeCoreListModel::number, Qt::AscendingOrder);
-    connect(selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& now) {
-        if (!m_following && now.isValid()) emit chosen(m_sorted->mapToSource(now).row());
-    });
+    setMinimumWidth(inLettersOf(*this, 240));
+    setFixedHeight(inLettersOf(*this, 190));
+}
+
+void TubeCoreList::changeEvent(QEvent* event) {
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fit();
 }
 
 void TubeCoreList::setRun(std::shared_ptr<const AdaptiveOtf> run) {

@@ -50,7 +50,12 @@ public:
 signals:
     void chosen(int number);
 
+protected:
+    void changeEvent(QEvent* event) override;
+
 private:
+    void fit();
+
     TubeCoreListModel* m_model;
     QSortFilterProxyModel* m_sorted;
     bool m_following = false;  ///< while setChosen() selects a row

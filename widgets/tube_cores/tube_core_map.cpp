@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "widgets/controls/panel_controls.h"
+#include "widgets/larger_letters.h"
 #include "widgets/tube_core_colours.h"
 #include "widgets/tube_cores/tube_core_words.h"
 
@@ -18,7 +19,9 @@ namespace echolucent {
 
 namespace {
 
-constexpr double legendWidth = 104.0, margin = 3.0, largestCell = 24.0;
+// Pixels, in letters of the application's size.
+constexpr double legendWidth = 104.0, margin = 3.0, largestCell = 24.0, sampleSide = 13.0;
+constexpr int mapHeight = 206;
 
 bool isArrow(const QKeyEvent& event) {
     if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::ShiftModifier)) return false;
@@ -52,8 +55,9 @@ void TubeCoreMap::setChosen(std::optional<int> number) {
 QRectF TubeCoreMap::grid() const {
     if (!m_run || m_run->tubes.empty()) return {};
     const int columns = m_run->config.grid.columns, rows = m_run->config.grid.rows;
-    const double side =
-        std::min({(width() - legendWidth - 2.0 * margin) / columns, (height() - 2.0 * margin) / rows, largestCell});
+    const double letters = lettersOf(*this);
+    const double side = std::min({(width() - letters * legendWidth - 2.0 * margin) / columns,
+                                  (height() - 2.0 * margin) / rows, letters * largestCell});
     return {margin, margin, side * columns, side * rows};
 }
 
@@ -73,6 +77,15 @@ std::optional<int> TubeCoreMap::numberAt(const QPointF& pixel) const {
     const int column = std::min(columns - 1, static_cast<int>((pixel.x() - all.left()) / side));
     const int row = std::min(rows - 1, static_cast<int>((pixel.y() - all.top()) / side));
     return row * columns + column;
+}
+
+QSize TubeCoreMap::sizeHint() const { return inLettersOf(*this, QSize(300, mapHeight)); }
+
+QSize TubeCoreMap::minimumSizeHint() const { return inLettersOf(*this, QSize(240, mapHeight)); }
+
+void TubeCoreMap::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::FontChange) updateGeometry();
+    QWidget::changeEvent(event);
 }
 
 bool TubeCoreMap::event(QEvent* event) {
@@ -182,8 +195,9 @@ void TubeCoreMap::paintLegend(QPainter& painter) const {
                             wordsOf(TubeState::outside),
                             wordsOf(TubeState::neverPlaced)};
     const ThemeColours& colours = coloursOf(palette());
-    const double height = painter.fontMetrics().height() + 5.0, side = 13.0;
-    const double left = width() - legendWidth + 4.0;
+    const double letters = lettersOf(*this);
+    const double height = painter.fontMetrics().height() + 5.0, side = letters * sampleSide;
+    const double left = width() - letters * legendWidth + 4.0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const QRectF cell(left, margin + static_cast<double>(i) * height + (height - side) / 2.0, side, side);
         painter.setPen(QPen(colours.lineOfTable, 1.0));
@@ -191,7 +205,7 @@ void TubeCoreMap::paintLegend(QPainter& painter) const {
         painter.drawRect(cell);
         paintTubeCoreSign(painter, cell, samples[i].first, samples[i].second, colours);
         painter.setPen(colours.textBehind);
-        painter.drawText(QRectF(cell.right() + 5.0, cell.center().y() - height / 2.0, legendWidth, height),
+        painter.drawText(QRectF(cell.right() + 5.0, cell.center().y() - height / 2.0, width(), height),
                          Qt::AlignLeft | Qt::AlignVCenter, words[static_cast<qsizetype>(i)]);
     }
 }

@@ -36,20 +36,20 @@ public:
     [[nodiscard]] QRectF cellOf(int number) const;
     [[nodiscard]] std::optional<int> numberAt(const QPointF& pixel) const;
 
-    [[nodiscard]] QSize sizeHint() const override { return {300, mapHeight}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {240, mapHeight}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void chosen(int number);
 
 protected:
     bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    static constexpr int mapHeight = 206;
     [[nodiscard]] QRectF grid() const;
     void paintLegend(QPainter& painter) const;
 

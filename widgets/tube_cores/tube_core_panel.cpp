@@ -8,13 +8,13 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QTableWidget>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "processing/explanation/explanation_plots.h"
 #include "widgets/controls/disclosure.h"
 #include "widgets/controls/panel_controls.h"
+#include "widgets/fitted_table.h"
 #include "widgets/plots/plot_canvas.h"
 #include "widgets/tube_cores/reading_parameters.h"
 #include "widgets/tube_cores/tube_core_list.h"
@@ -83,20 +83,15 @@ TubeCorePanel::TubeCorePanel(QWidget* parent)
 }
 
 void TubeCorePanel::createExplanation() {
-    m_facts = named(new QTableWidget(0, 2), "tubeCores.facts", tr("What the tube core found"));
-    m_facts->setHorizontalHeaderLabels({tr("Symbol"), tr("Value")});
+    m_facts = named(new FittedTable({tr("Symbol"), tr("Value")}, fontMetrics().height() + 5), "tubeCores.facts",
+                    tr("What the tube core found"));
     m_facts->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_facts->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_facts->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
     m_facts->verticalHeader()->hide();
-    m_facts->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 5);
-    m_facts->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_facts->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_facts->setTabKeyNavigation(false);  // Tab goes on to the next control
     m_facts->setShowGrid(false);
     m_facts->setAlternatingRowColors(true);
-    m_facts->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_facts->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);  // as high as its rows
 
     const auto plot = [](const char* name, int height) {
         auto* canvas = new PlotCanvas(nullptr, height);
@@ -238,7 +233,6 @@ void TubeCorePanel::setConfig(const AdaptiveOtfConfig& config) { m_parameters->s
 void TubeCorePanel::showFacts() {
     const auto& facts = m_explanation->facts;
     m_facts->setRowCount(static_cast<int>(facts.size()));
-    int height = m_facts->horizontalHeader()->sizeHint().height() + 2 * m_facts->frameWidth();
     for (int row = 0; row < m_facts->rowCount(); ++row) {
         const ExplanationFact& fact = facts[static_cast<std::size_t>(row)];
         const std::array<QString, 2> texts{QString::fromStdString(fact.symbol), valueOf(fact)};
@@ -247,9 +241,8 @@ void TubeCorePanel::showFacts() {
             m_facts->item(row, column)->setText(texts[static_cast<std::size_t>(column)]);
             m_facts->item(row, column)->setToolTip(toolTipOf(fact));
         }
-        height += m_facts->rowHeight(row);
     }
-    m_facts->setFixedHeight(height);
+    m_facts->fit();
 }
 
 SampledCurve TubeCorePanel::thirdCurve() const {
@@ -267,10 +260,10 @@ void TubeCorePanel::grow(int count) {
 
 void TubeCorePanel::showGrown() {
     const int all = m_explanation->weighing, count = m_grown.value_or(all);
+    const auto grown = static_cast<std::size_t>(count);
+    // Also before the slider is moved: a line that came with it would make the legend higher, and push the slider away.
     Plot plot = m_explanation->curves;
-    if (m_grown)
-        plot.series.push_back(
-            grownSeries(thirdCurve(), static_cast<std::size_t>(count), static_cast<std::size_t>(all)));
+    plot.series.push_back(grownSeries(grownCurve(*m_explanation->run, grown), grown, static_cast<std::size_t>(all)));
     m_curves->setPlot(plot);
     m_growthWords->setText(tr("%1 of %2 tube cores, heaviest first").arg(count).arg(all));
     m_growth->setEnabled(all > 0);

@@ -15,10 +15,10 @@ class QCheckBox;
 class QLabel;
 class QPushButton;
 class QSlider;
-class QTableWidget;
 
 namespace echolucent {
 
+class FittedTable;
 class PlotCanvas;
 class ReadingParameters;
 class TubeCoreList;
@@ -90,7 +90,7 @@ private:
     TubeCoreList* m_list;
     ReadingParameters* m_parameters;
     QWidget* m_below;  ///< all that belongs to one tube core
-    QTableWidget* m_facts = nullptr;
+    FittedTable* m_facts = nullptr;
     PlotCanvas *m_profile = nullptr, *m_interface = nullptr, *m_intensityRank = nullptr, *m_slopeRank = nullptr,
                *m_factors = nullptr, *m_curves = nullptr, *m_change = nullptr;
     QSlider* m_growth = nullptr;

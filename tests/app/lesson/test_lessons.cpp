@@ -99,7 +99,7 @@ private slots:
         QVERIFY(child("lessons.skip")->isHidden());  // there is nothing to do
         QVERIFY(child("lessons.explanation")->isHidden());
         child<QRadioButton>("lessons.answer.0")->click();
-        QCOMPARE(child<QLabel>("lessons.verdict")->text(), "No. Look once more.");
+        QCOMPARE(child<QLabel>("lessons.verdict")->text(), "No. Try again.");
         QVERIFY(child("lessons.explanation")->isHidden());
         child<QRadioButton>("lessons.answer.1")->click();
         QCOMPARE(child<QLabel>("lessons.verdict")->text(), "Right.");
