@@ -136,7 +136,7 @@ void playSteps(bool measured) {
     EXPECT_GT(played, 0);
 }
 
-/// A number that the words of a step say.
+/// A number that the words of a step say: of what the step begins with, or of its solution ("smooth-first solved").
 struct SaidNumber {
     const char* lesson;
     const char* step;
@@ -168,10 +168,28 @@ constexpr SaidNumber saidNumbers[] = {
     {"tube-core", "without-one", "measured.panes[0].right", 81.5, 81.55},
     {"tube-core", "without-one", "measured.panes[1].right", 81.65, 81.75},
     {"tube-core", "from-one-to-many", "measured.tubes_with_weight", 0, 0},
-    {"others-and-speckle", "value-and-gradient", "measured.panes[0].late", 9.5, 10.5},
-    {"others-and-speckle", "value-and-gradient", "measured.panes[1].early", 22.5, 23.5},
+    {"others-and-speckle", "only-the-gradient", "measured.panes[1].early", 99.5, 100},
+    {"others-and-speckle", "smooth-first solved", "measured.panes[0].right", 88.5, 89.5},
+    {"others-and-speckle", "smooth-first solved", "measured.panes[1].right", 30.5, 31.5},
+    {"others-and-speckle", "smooth-first solved", "measured.panes[1].early", 68.5, 69.5},
+    {"others-and-speckle", "intensity-alone", "measured.panes[0].right", 8.5, 9.5},
+    {"others-and-speckle", "intensity-alone solved", "measured.panes[0].right", 85.5, 86.5},
+    {"others-and-speckle", "one-isosurface", "measured.panes[0].never", 47.5, 48.5},
+    {"others-and-speckle", "isosurface-by-hand solved", "measured.panes[1].right", 87.5, 88.5},
+    {"others-and-speckle", "isosurface-by-hand solved", "measured.panes[0].right", 90.5, 91.5},
+    {"others-and-speckle", "a-step-edge", "measured.panes[0].right", 65.5, 66.5},
+    {"others-and-speckle", "cells", "measured.panes[0].right", 72.5, 73.5},
+    {"others-and-speckle", "cells solved", "measured.panes[0].right", 80.5, 81.5},
     {"others-and-speckle", "two-hills", "measured.panes[0].right", 87.5, 88.5},
     {"others-and-speckle", "two-hills", "measured.panes[1].right", 88.5, 89.5},
+    {"others-and-speckle", "another-view", "measured.panes[0].right", 74.5, 75.5},
+    {"others-and-speckle", "another-view", "measured.panes[1].right", 74.5, 75.5},
+    {"others-and-speckle", "another-view", "measured.panes[2].right", 60.5, 61.5},
+    {"others-and-speckle", "another-view", "measured.panes[3].right", 73.5, 74.5},
+    {"others-and-speckle", "another-view", "measured.panes[0].contrast", 1.085, 1.095},
+    {"others-and-speckle", "another-view", "measured.panes[1].contrast", 0.855, 0.865},
+    {"others-and-speckle", "another-view", "measured.panes[2].contrast", 0.265, 0.275},
+    {"others-and-speckle", "another-view", "measured.panes[3].contrast", 0.775, 0.785},
     {"one-otf-or-one-a-view", "question", "measured.tubes", 225, 225},
     {"one-otf-or-one-a-view", "question", "measured.tubes_with_weight", 213, 213},
     {"one-otf-or-one-a-view", "at-thirty", "measured.panes[0].right", 75.05, 75.15},
@@ -190,11 +208,13 @@ TEST(LongShippedLessons, TheWordsSayWhatIsMeasured) {
     for (const std::string& folder : lessonFolders()) {
         const auto lesson = readLesson(folder);
         ASSERT_TRUE(lesson) << lesson.error().sentence();
-        for (std::size_t i = 0; i < lesson->steps.size(); ++i) {
-            const Document document = documentBefore(*lesson, i);
+        for (std::size_t i = 0; i < 2 * lesson->steps.size(); ++i) {
+            const bool solved = i % 2 == 1;
+            const Document document = solved ? documentAfter(*lesson, i / 2) : documentBefore(*lesson, i / 2);
+            const std::string step = lesson->steps[i / 2].id + (solved ? " solved" : "");
             Window window(document, scanOf(*lesson));
             for (const SaidNumber& said : saidNumbers) {
-                if (fs::path(folder).filename() != said.lesson || said.step != lesson->steps[i].id) continue;
+                if (fs::path(folder).filename() != said.lesson || said.step != step) continue;
                 ++compared;
                 const auto value = window.valueOf(said.name);
                 ASSERT_TRUE(value) << said.step << " " << said.name;
@@ -204,6 +224,41 @@ TEST(LongShippedLessons, TheWordsSayWhatIsMeasured) {
         }
     }
     EXPECT_EQ(compared, std::size(saidNumbers)) << "a number names a step that no lesson has";
+}
+
+/// A number that the words of the lesson on speckle say of another setting of a step: a part put over its document.
+struct SaidOfPart {
+    const char* step;
+    const char* part;
+    const char* name;
+    double least, most;
+};
+
+constexpr SaidOfPart saidOfParts[] = {
+    {"smooth-first", R"({"scene": {"look": {"reduction": "medium"}}})", "measured.panes[1].right", 15.5, 16.5},
+    {"intensity-alone", R"({"scene": {"look": {"reduction": "strong"}}, "curves": {"linear": {"slope": 2}}})",
+     "measured.panes[0].right", 85.5, 86.5},
+    {"isosurface-by-hand", R"({"curves": {"linear": {"lower": 0.3}}})", "measured.panes[0].right", 47.5, 48.5},
+    {"isosurface-by-hand", R"({"curves": {"linear": {"lower": 0.12}}})", "measured.panes[0].right", 55.5, 56.5},
+    {"cells", R"({"method": {"parameters": {"cell_size": 7}}})", "measured.panes[0].right", 82, 100},
+    {"two-hills", R"({"scene": {"look": {"reduction": "off"}}})", "measured.panes[0].right", 81.5, 82.5},
+    {"two-hills", R"({"scene": {"look": {"reduction": "off"}}})", "measured.panes[1].right", 87, 88},
+};
+
+TEST(LongShippedLessons, TheWordsOnSpeckleSayWhatOtherSettingsGive) {
+    const auto lesson = readLesson(std::string(ECHOLUCENT_SOURCE_DIR) + "/resources/lessons/others-and-speckle");
+    ASSERT_TRUE(lesson) << lesson.error().sentence();
+    for (const SaidOfPart& said : saidOfParts) {
+        const auto step = std::ranges::find(lesson->steps, said.step, &LessonStep::id);
+        ASSERT_NE(step, lesson->steps.end()) << said.step;
+        const auto place = static_cast<std::size_t>(step - lesson->steps.begin());
+        const auto document = withPart(documentBefore(*lesson, place), said.part);
+        ASSERT_TRUE(document) << said.step << " " << document.error().sentence();
+        Window window(*document, scanOf(*lesson));
+        const double value = std::get<double>(*window.valueOf(said.name));
+        EXPECT_GE(value, said.least) << said.step << " " << said.part;
+        EXPECT_LE(value, said.most) << said.step << " " << said.part;
+    }
 }
 
 TEST(ShippedLessons, EachStepIsDoneByItsSolutionAndNotBefore) { playSteps(false); }
