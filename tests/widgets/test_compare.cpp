@@ -278,29 +278,6 @@ private slots:
         QVERIFY(rows(box.center().x(), box.right() - 1) > 3 * box.height() / 4);
     }
 
-    void anOtfOverTwoNumbersIsAMap() {
-        const QRect pane(0, 0, 400, 440);
-        const CaptionLayout caption = captionLayout({"Levoy"}, pane.width(), QFont());
-        PaneFace face{.name = "Levoy"};
-        // Opaque at bright echoes with a large gradient alone.
-        face.otf = Classification(TwoDimensionalOtf{2, 2, 1.0, {0, 0, 0, 1}});
-        QImage image(pane.size(), QImage::Format_RGB32);
-        image.fill(Qt::black);
-        QPainter painter(&image);
-        paintFace(painter, pane, face, caption);
-        painter.end();
-        const QRectF inset = insetIn(pictureIn(pane, caption));
-        const auto greyAt = [&](double right, double up) {
-            return qGray(image.pixel(
-                QPointF(inset.left() + right * inset.width(), inset.bottom() - up * inset.height()).toPoint()));
-        };
-        QVERIFY(greyAt(0.9, 0.9) > 200);
-        for (const auto& [right, up] : {std::pair(0.9, 0.1), std::pair(0.1, 0.9), std::pair(0.1, 0.1)})
-            QVERIFY2(greyAt(right, up) < 40, qPrintable(QString::number(greyAt(right, up))));
-        // Bilinear between the nodes: half of half, within what the inset's border takes of its height.
-        QVERIFY2(std::abs(greyAt(0.5, 0.5) - 64) < 12, qPrintable(QString::number(greyAt(0.5, 0.5))));
-    }
-
     void theWipeShowsOnePictureLeftAndTheOtherRight() {
         ComparePane pane("pane");
         pane.resize(300, 260);

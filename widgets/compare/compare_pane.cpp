@@ -91,7 +91,7 @@ void ComparePane::focusInEvent(QFocusEvent* event) {
 void ComparePane::paintTo(QPainter& painter) const {
     painter.fillRect(rect(), Qt::black);
     paintPicture(painter);
-    paintFace(painter, rect(), m_face, m_caption);
+    paintFace(painter, rect(), m_face, m_caption, &m_map);
 }
 
 void ComparePane::paintEvent(QPaintEvent*) {

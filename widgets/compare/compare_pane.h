@@ -84,6 +84,7 @@ private:
     void paintPicture(QPainter& painter) const;
 
     PaneFace m_face;
+    mutable InsetMap m_map;  ///< as it was painted last
     CaptionLayout m_caption;
     QImage m_image, m_right;
     std::optional<double> m_wipe;

@@ -193,9 +193,8 @@ QGroupBox* ComparePanel::createLayout() {
     grid->addWidget(m_amplification, 3, 1);
     grid->addWidget(m_colours, 4, 0, 1, 2);
     auto* insets = named(new QCheckBox(tr("OTF in each pane")), "compare.insets", tr("OTF in each pane"),
-                         tr("Draws the opacity of each pane over intensity in a corner of its picture, or over "
-                            "intensity and gradient; on the full "
-                            "screen it is always there"));
+                         tr("Draws the opacity of each pane over intensity, or over intensity and gradient, in a "
+                            "corner of its picture; on the full screen it is always there"));
     connect(insets, &QCheckBox::toggled, this, &ComparePanel::insetsSwitched);
     grid->addWidget(insets, 5, 0, 1, 2);
     return group;

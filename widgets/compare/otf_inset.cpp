@@ -34,7 +34,7 @@ void OtfInset::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);  // nothing of the picture is seen through a window of its own
     constexpr double halfPixel = 0.5;
-    paintInset(painter, QRectF(rect()).adjusted(halfPixel, halfPixel, -halfPixel, -halfPixel), m_face);
+    paintInset(painter, QRectF(rect()).adjusted(halfPixel, halfPixel, -halfPixel, -halfPixel), m_face, &m_map);
 }
 
 }  // namespace echolucent

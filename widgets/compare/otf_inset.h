@@ -27,6 +27,7 @@ protected:
 
 private:
     PaneFace m_face;
+    InsetMap m_map;
 };
 
 }  // namespace echolucent

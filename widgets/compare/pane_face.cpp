@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QFontInfo>
 #include <QFontMetrics>
-#include <QImage>
 #include <QPolygonF>
 #include <QRegularExpression>
 #include <algorithm>
@@ -81,7 +80,7 @@ QPolygonF lineOf(const OpacityCurve& curve, const QRectF& plot) {
 /// white is opaque.
 QImage mapOf(const TwoDimensionalOtf& otf, const QSize& size) {
     constexpr double white = 255.0;
-    QImage map(size.expandedTo({2, 2}), QImage::Format_Grayscale8);
+    QImage map(size, QImage::Format_Grayscale8);
     const int right = map.width() - 1, bottom = map.height() - 1;
     for (int row = 0; row <= bottom; ++row) {
         uchar* line = map.scanLine(row);
@@ -90,6 +89,12 @@ QImage mapOf(const TwoDimensionalOtf& otf, const QSize& size) {
             line[i] = static_cast<uchar>(std::lround(white * opacityAt(otf, static_cast<double>(i) / right, gradient)));
     }
     return map;
+}
+
+void keepMapOf(const std::shared_ptr<const TwoDimensionalOtf>& otf, const QSize& wanted, InsetMap& map) {
+    const QSize size = wanted.expandedTo({2, 2});
+    if (map.otf == otf && map.image.size() == size) return;
+    map = {otf, mapOf(*otf, size)};
 }
 
 }  // namespace
@@ -124,7 +129,7 @@ QRectF insetIn(const QRect& picture) {
     return {picture.left() + around, picture.bottom() - around - high, wide, high};
 }
 
-void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
+void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face, InsetMap* kept) {
     if (!face.otf || inset.isEmpty()) return;
     const double inside = inset.width() / 30.0;
     const ThemeColours& colours = coloursOverPictures();
@@ -136,7 +141,10 @@ void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
     painter.drawRect(inset);
     const QRectF plot = inset.adjusted(inside, inside, -inside, -inside);
     if (face.otf->isTwoDimensional()) {
-        painter.drawImage(plot, mapOf(*face.otf->twoDimensional(), plot.size().toSize()));
+        InsetMap once;
+        InsetMap& map = kept != nullptr ? *kept : once;
+        keepMapOf(face.otf->twoDimensional(), plot.size().toSize(), map);
+        painter.drawImage(plot, map.image);
     } else {
         const bool own = face.frame && !face.coloured;
         painter.setBrush(Qt::NoBrush);
@@ -147,11 +155,12 @@ void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face) {
     painter.restore();
 }
 
-void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption) {
+void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption,
+               InsetMap* kept) {
     const QRect picture = pictureIn(pane, caption);
     const ThemeColours& colours = coloursOverPictures();
     painter.save();
-    paintInset(painter, insetIn(picture), face);
+    paintInset(painter, insetIn(picture), face, kept);
     painter.setFont(caption.font);
     const int room = roomIn(pane.width());
     const QRect texts(pane.left() + padding + margin, picture.bottom() + 1 + padding, room,

@@ -3,11 +3,13 @@
 
 #include <QColor>
 #include <QFont>
+#include <QImage>
 #include <QPainter>
 #include <QRect>
 #include <QRectF>
 #include <QString>
 #include <QStringList>
+#include <memory>
 #include <optional>
 
 #include "processing/classification.h"
@@ -29,6 +31,12 @@ struct PaneFace {
     friend bool operator==(const PaneFace&, const PaneFace&) = default;
 };
 
+/// The map of an OTF over two numbers as it was painted last. It is made again only for another OTF or another size.
+struct InsetMap {
+    std::shared_ptr<const TwoDimensionalOtf> otf;
+    QImage image;
+};
+
 /// How the texts below pictures are set. All panes that stand beside each other share it.
 struct CaptionLayout {
     QFont font{};
@@ -44,9 +52,11 @@ struct CaptionLayout {
 [[nodiscard]] QRect pictureIn(const QRect& pane, const CaptionLayout& caption);
 /// The place of the OTF in a corner of a picture; empty if the picture is too small for it.
 [[nodiscard]] QRectF insetIn(const QRect& picture);
-/// Paints the OTF of a face at such a place. Any thread may call this.
-void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face);
-/// Paints texts, frame and OTF of a pane whose picture is painted. Any thread may call this.
-void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption);
+/// Paints the OTF of a face at such a place. `kept` is the map of the same place, if it is painted again and again. Any
+/// thread may call this, with a map of its own.
+void paintInset(QPainter& painter, const QRectF& inset, const PaneFace& face, InsetMap* kept = nullptr);
+/// Paints texts, frame and OTF of a pane whose picture is painted. `kept` and threads as above.
+void paintFace(QPainter& painter, const QRect& pane, const PaneFace& face, const CaptionLayout& caption,
+               InsetMap* kept = nullptr);
 
 }  // namespace echolucent

@@ -19,9 +19,9 @@ class QVBoxLayout;
 
 namespace echolucent {
 
-/// Edits a condition: none, one comparison, or several, of which all or one must hold. If a condition nests deeper, the
-/// editor keeps it until a person replaces it. Objects: lessons.editor.condition (this), .rule, .add, .nested; of
-/// each comparison N from 0 on .name.N, .kind.N, .value.N, .largest.N, .remove.N. No setter emits a signal.
+/// Edits a condition. It may be empty, one comparison, or several. Of several, all or one must hold. If a condition
+/// nests deeper, the editor keeps it until a person replaces it. Objects: lessons.editor.condition (this), .rule, .add,
+/// .nested; of each comparison N from 0 on .name.N, .kind.N, .value.N, .largest.N, .remove.N. No setter emits a signal.
 class LessonConditionEditor : public QWidget {
     Q_OBJECT
 

@@ -22,8 +22,8 @@ public:
     /// Outlines a widget of the window, or nothing. The frame follows it, and is away while it is not seen.
     void lieAround(QWidget* target);
     [[nodiscard]] QWidget* target() const { return m_target; }
-    /// The rectangle in which the frame lies, in the window's coordinates: around the target, or within it where that
-    /// fills what it stands in. Empty if nothing of the target is seen.
+    /// The frame's outer edge, in the window's coordinates. The frame lies around the target. If the target fills the
+    /// widget around it, the frame lies within the target. Empty if nothing of the target is seen.
     [[nodiscard]] QRect rectangle() const;
 
     bool eventFilter(QObject* watched, QEvent* event) override;
