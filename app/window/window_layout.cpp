@@ -46,21 +46,36 @@ namespace {
 /// Width of the column of panels at the start, logical pixels. At 1280 the picture keeps more than 70 % of the window.
 constexpr int columnWidth = 340;
 
-/// Scrolls a panel up and down only. It is never narrower than the panel, whose fields grow with their content, so that
-/// the panel's right edge stays visible.
+/// Scrolls the content of a dock up and down only. It is never narrower than the content, whose fields grow, so that
+/// the content's right edge stays visible. Content is laid out when its dock is first shown: a panel that nobody opens
+/// takes no time at the start.
 class PanelScrollArea : public QScrollArea {
 public:
-    PanelScrollArea(QWidget* panel, QWidget* parent) : QScrollArea(parent) {
+    explicit PanelScrollArea(QDockWidget* dock) : QScrollArea(dock), m_dock(dock) {
         setFrameShape(QFrame::NoFrame);
         setFocusPolicy(Qt::NoFocus);  // the controls inside take the focus
         setWidgetResizable(true);
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        setWidget(panel);
+        dock->setWidget(this);
+        dock->installEventFilter(this);
+    }
+
+    [[nodiscard]] QDockWidget* dock() const { return m_dock; }
+    /// `content` is a child of viewport(): a widget that changes its parent asks for the style of all in it again.
+    void scroll(QWidget* content) { m_content = content; }
+    void layOutContent() {
+        m_dock->removeEventFilter(this);
+        if (m_content == nullptr || widget() != nullptr) return;
+        // An area asks a widget without a size for the one that it would like, and does not use it.
+        m_content->resize(m_dock->size());
+        setWidget(m_content);
         followWidth();
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (watched == widget() && event->type() == QEvent::LayoutRequest) followWidth();
+        // The dock is polished before it asks how wide the content is.
+        if (watched == m_dock && event->type() == QEvent::Polish) layOutContent();
+        if (widget() != nullptr && watched == widget() && event->type() == QEvent::LayoutRequest) followWidth();
         return QScrollArea::eventFilter(watched, event);
     }
 
@@ -68,6 +83,9 @@ private:
     void followWidth() {
         setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
     }
+
+    QDockWidget* m_dock;
+    QWidget* m_content = nullptr;
 };
 
 /// The rooms with the strip of sides: left of them, or below them if they would else be narrow.
@@ -100,45 +118,115 @@ private:
     SideStrip* m_strip;
 };
 
-/// A dock of the column: its panels from top to bottom.
-struct Dock {
+/// What is said of a dock.
+struct DockWords {
     const char* title;
     const char* name;
-    const char* holds;  ///< for the tool tip of its name
-    std::vector<QWidget*> panels;
-    std::vector<int> stretches{1};  ///< of the panels; 0: as high as it needs to be
-    bool shown = false;             ///< at the first start, in the face Review
+    const char* holds;   ///< for the tool tip of its name
+    bool shown = false;  ///< at the first start, in the face Review
 };
 
-QWidget* contentOf(const Dock& dock) {
-    if (dock.panels.size() == 1) return dock.panels.front();
-    auto* content = new QWidget;
-    auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    for (std::size_t i = 0; i < dock.panels.size(); ++i) column->addWidget(dock.panels[i], dock.stretches.at(i));
-    return content;
-}
-
-/// One column of panels, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view. The first dock
-/// is in front. Returns them in their order.
-QList<QDockWidget*> addDocks(QMainWindow& window, const std::vector<Dock>& docks) {
-    window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
-    QList<QDockWidget*> made;
-    for (const Dock& each : docks) {
-        auto* dock = new QDockWidget(QMainWindow::tr(each.title), &window);
-        dock->setObjectName(each.name);
-        dock->toggleViewAction()->setToolTip(QMainWindow::tr(each.holds));
-        dock->setWidget(new PanelScrollArea(contentOf(each), dock));
-        window.addDockWidget(Qt::RightDockWidgetArea, dock);
-        if (!made.isEmpty()) window.tabifyDockWidget(made.front(), dock);
-        if (!each.shown) dock->hide();
-        made << dock;
+/// One column of docks, tabbed by a person's tasks. Opening one makes nothing grow beside the 3D view.
+class DockColumn {
+public:
+    explicit DockColumn(QMainWindow& window) : m_window(window) {
+        window.setTabPosition(Qt::RightDockWidgetArea, QTabWidget::North);
     }
-    for (QDockWidget* dock : made) dock->setTitleBarWidget(new DockTitle(window, *dock, made));
-    made.front()->raise();
-    window.resizeDocks({made.front()}, {columnWidth}, Qt::Horizontal);
-    return made;
+
+    /// Adds a dock that holds one panel, made of these arguments and its parent.
+    template <typename Panel, typename... Arguments>
+    Panel* add(const DockWords& words, Arguments&... arguments) {
+        PanelScrollArea& area = addDock(words);
+        auto* panel = new Panel(arguments..., area.viewport());
+        area.scroll(panel);
+        return panel;
+    }
+    /// Adds a dock that holds panels from top to bottom. They are children of the layout's parentWidget().
+    QVBoxLayout* addColumn(const DockWords& words) {
+        PanelScrollArea& area = addDock(words);
+        auto* content = new QWidget(area.viewport());
+        auto* column = new QVBoxLayout(content);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+        area.scroll(content);
+        return column;
+    }
+    /// Puts the docks into the window, the first one in front, and returns them in their order.
+    QList<QDockWidget*> arrange() {
+        QList<QDockWidget*> docks;
+        for (const auto& [area, shown] : m_areas) {
+            if (shown) area->layOutContent();
+            QDockWidget* dock = area->dock();
+            m_window.addDockWidget(Qt::RightDockWidgetArea, dock);
+            if (!docks.isEmpty()) m_window.tabifyDockWidget(docks.front(), dock);
+            if (!shown) dock->hide();
+            docks << dock;
+        }
+        for (QDockWidget* dock : docks) dock->setTitleBarWidget(new DockTitle(m_window, *dock, docks));
+        docks.front()->raise();
+        m_window.resizeDocks({docks.front()}, {columnWidth}, Qt::Horizontal);
+        return docks;
+    }
+
+private:
+    struct Area {
+        PanelScrollArea* area;
+        bool shown;
+    };
+
+    PanelScrollArea& addDock(const DockWords& words) {
+        auto* dock = new QDockWidget(QMainWindow::tr(words.title), &m_window);
+        dock->setObjectName(words.name);
+        dock->toggleViewAction()->setToolTip(QMainWindow::tr(words.holds));
+        m_areas.push_back({new PanelScrollArea(dock), words.shown});
+        return *m_areas.back().area;
+    }
+
+    QMainWindow& m_window;
+    std::vector<Area> m_areas;
+};
+
+/// The docks with their panels.
+void addPanels(WindowLayout& layout, QMainWindow& window, DocumentModel& document, const OtfCourse& course) {
+    DockColumn docks(window);
+    // What a person turns first stands on top.
+    QVBoxLayout* picture =
+        docks.addColumn({.title = "Picture",
+                         .name = "dock.view",
+                         .holds = "Presets, threshold, transparency, brightness, smoothing, light and the front",
+                         .shown = true});
+    picture->addWidget(layout.presets = new PresetsPanel(picture->parentWidget()));
+    picture->addWidget(layout.sliders = new CurveSliders(document, picture->parentWidget()));
+    picture->addWidget(layout.controls = new ViewPanel(picture->parentWidget()), 1);
+    layout.editor = docks.add<OtfEditor>(
+        {"Curve", "dock.otfEditor", "Which echoes show, and how strongly: the curve over the histogram"}, document);
+    QObject::connect(layout.sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
+    // The list of measurements is visible while measuring, above what is set once.
+    QVBoxLayout* measure = docks.addColumn(
+        {.title = "Measure", .name = "dock.room", .holds = "Measurements, scalpel, box and planes", .shown = true});
+    measure->addWidget(layout.measurements = new MeasurementsPanel(measure->parentWidget()));
+    measure->addWidget(layout.room = new RoomPanel(document, measure->parentWidget()), 1);
+    layout.method =
+        docks.add<MethodPanel>({"Method", "dock.method", "The parameters of the adaptive OTF, and what it found"});
+    layout.tubeCores = docks.add<TubeCorePanel>(
+        {"Tube cores", "dock.tubeCores", "What each tube core found, and what it does to the curve"});
+    layout.designers =
+        docks.add<DesignerPanel>({"Designers", "dock.designers", "Other ways to make the OTF"}, document);
+    layout.compare =
+        docks.add<ComparePanel>({"Compare", "dock.compare", "Two to four OTFs under one camera, and their measures"});
+    QVBoxLayout* study = docks.addColumn({.title = "Study",
+                                          .name = "dock.study",
+                                          .holds = "What the file says, the history and its snapshots",
+                                          .shown = true});
+    study->addWidget(layout.facts = new StudyPanel(study->parentWidget()), 3);
+    study->addWidget(layout.history = new HistoryPanel(document.steps(), study->parentWidget()), 2);
+    layout.course =
+        docks.add<OtfCoursePanel>({"Motion", "dock.motionMap", "The OTF over the angle or the volume"}, course);
+    layout.explain = docks.add<ExplainPanel>({"Explain", "dock.explain", "What the picture shows, and why (F1)"});
+    layout.theory =
+        docks.add<TheoryPanel>({"Theory", "dock.theory", "The contrast of two intensities under five curves"});
+    layout.lessons = docks.add<LessonsPanel>({"Lessons", "dock.lessons", "Lessons on simulated scans, step by step"});
+    layout.docks = docks.arrange();
 }
 
 }  // namespace
@@ -165,61 +253,7 @@ WindowLayout layOut(QMainWindow& window, Works& works, DocumentModel& document, 
     layout.messages->lieOver(*layout.picture);
     layout.opening = new OpeningLabel(centre);
 
-    layout.editor = new OtfEditor(document, &window);
-    layout.method = new MethodPanel(&window);
-    layout.designers = new DesignerPanel(document, &window);
-    layout.controls = new ViewPanel(&window);
-    layout.presets = new PresetsPanel(&window);
-    auto* sliders = layout.sliders = new CurveSliders(document, &window);
-    QObject::connect(sliders, &CurveSliders::resetRequested, layout.editor->resetAction(), &QAction::trigger);
-    layout.room = new RoomPanel(document, &window);
-    layout.measurements = new MeasurementsPanel(&window);
-    layout.compare = new ComparePanel(&window);
-    layout.facts = new StudyPanel(&window);
-    layout.course = new OtfCoursePanel(course, &window);
-    layout.explain = new ExplainPanel(&window);
-    layout.theory = new TheoryPanel(&window);
-    layout.tubeCores = new TubeCorePanel(&window);
-    layout.history = new HistoryPanel(document.steps(), &window);
-    layout.lessons = new LessonsPanel(&window);
-    const std::vector<Dock> docks{
-        // What a person turns first stands on top.
-        {.title = "Picture",
-         .name = "dock.view",
-         .holds = "Presets, threshold, transparency, brightness, smoothing, light and the front",
-         .panels = {layout.presets, sliders, layout.controls},
-         .stretches = {0, 0, 1},
-         .shown = true},
-        {"Curve",
-         "dock.otfEditor",
-         "Which echoes show, and how strongly: the curve over the histogram",
-         {layout.editor}},
-        // The list of measurements is visible while measuring, above what is set once.
-        {.title = "Measure",
-         .name = "dock.room",
-         .holds = "Measurements, scalpel, box and planes",
-         .panels = {layout.measurements, layout.room},
-         .stretches = {0, 1},
-         .shown = true},
-        {"Method", "dock.method", "The parameters of the adaptive OTF, and what it found", {layout.method}},
-        {"Tube cores",
-         "dock.tubeCores",
-         "What each tube core found, and what it does to the curve",
-         {layout.tubeCores}},
-        {"Designers", "dock.designers", "Other ways to make the OTF", {layout.designers}},
-        {"Compare", "dock.compare", "Two to four OTFs under one camera, and their measures", {layout.compare}},
-        {.title = "Study",
-         .name = "dock.study",
-         .holds = "What the file says, the history and its snapshots",
-         .panels = {layout.facts, layout.history},
-         .stretches = {3, 2},
-         .shown = true},
-        {"Motion", "dock.motionMap", "The OTF over the angle or the volume", {layout.course}},
-        {"Explain", "dock.explain", "What the picture shows, and why (F1)", {layout.explain}},
-        {"Theory", "dock.theory", "The contrast of two intensities under five curves", {layout.theory}},
-        {"Lessons", "dock.lessons", "Lessons on simulated scans, step by step", {layout.lessons}},
-    };
-    layout.docks = addDocks(window, docks);
+    addPanels(layout, window, document, course);
 
     layout.status = new RunStatus(&window);
     window.statusBar()->addWidget(layout.status, 1);
