@@ -12,6 +12,10 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
+# g++ looks for memory that it can give back each time its own has doubled, from 128 MB on. If it does so later, a unit of many
+# files compiles in 84 to 95 % of the time and takes a quarter more memory, 1.5 GB at most. The code is the same.
+add_compile_options("$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-expand=200 --param ggc-min-heapsize=500000>")
+
 # For daily work, where files are compiled one by one. A first build takes a seventh longer with it.
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_UNITY_BUILD)
@@ -41,16 +45,24 @@ if(CMAKE_UNITY_BUILD)
     # g++ takes the .cpp files of a room for headers, in which a class with members of an anonymous namespace would be a fault.
     target_compile_options(echolucent_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
+# Instruction sets for which no kernel is compiled. Vectors of SVE cannot be members of classes (ray_caster/packet_targets.h).
+# Processors that have SSSE3 and not SSE4 are of 2006 and 2007: they run what every processor can.
+set(disabled_targets "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_SSSE3")
 if(ECHOLUCENT_SANITIZE)
-    # The oldest instruction set and AVX2 stand for the others, whose kernels come from the same lines and would compile for
+    # What every processor has and AVX2 stand for the others, whose kernels come from the same lines and would compile for
     # minutes; the release build tests all that the machine has.
-    add_compile_definitions(ECHOLUCENT_SANITIZED
-        "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
+    add_compile_definitions(ECHOLUCENT_SANITIZED)
+    string(APPEND disabled_targets "|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL")
     # g++ says itself which sanitizer there is.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND ECHOLUCENT_SANITIZE MATCHES "address|thread")
         string(TOUPPER __SANITIZE_${CMAKE_MATCH_0}__ macro)
         add_compile_definitions(${macro})
     endif()
     add_compile_options(-fsanitize=${ECHOLUCENT_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    # The address sanitizer stops where these two would. Without them a unit compiles in 88 % of the time.
+    if(ECHOLUCENT_SANITIZE STREQUAL "address,undefined")
+        add_compile_options(-fno-sanitize=null,object-size)
+    endif()
     add_link_options(-fsanitize=${ECHOLUCENT_SANITIZE})
 endif()
+add_compile_definitions("HWY_DISABLED_TARGETS=(${disabled_targets})")

@@ -39,7 +39,7 @@ HWY_INLINE IntVector truncated(FloatVector value) {
     return IntVector{_mm512_cvttps_epi32(value.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return IntVector{_mm256_cvttps_epi32(value.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HWY_TARGET == HWY_SSE4
     return IntVector{_mm_cvttps_epi32(value.raw)};
 #else
     return hn::ConvertTo(Ints(), value);
@@ -52,7 +52,7 @@ HWY_INLINE IntVector rounded(FloatVector value) {
     return IntVector{_mm512_cvtps_epi32(value.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return IntVector{_mm256_cvtps_epi32(value.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HWY_TARGET == HWY_SSE4
     return IntVector{_mm_cvtps_epi32(value.raw)};
 #else
     return hn::NearestInt(value);
@@ -168,7 +168,7 @@ HWY_INLINE hn::Vec<Words> pairSums(hn::Vec<Bytes> values, hn::Vec<Bytes> shares)
     return hn::Vec<Words>{_mm512_maddubs_epi16(values.raw, shares.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return hn::Vec<Words>{_mm256_maddubs_epi16(values.raw, shares.raw)};
-#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
+#elif HWY_TARGET == HWY_SSE4
     return hn::Vec<Words>{_mm_maddubs_epi16(values.raw, shares.raw)};
 #else
     const hn::RebindToUnsigned<Words> bits;

@@ -1,8 +1,8 @@
 // The instruction sets for which the kernel is compiled. Include this before any header of Highway.
 #pragma once
 
-/// Here vectors are members of classes. Vectors of SVE cannot be, since no compiler knows their length. (For a
-/// sanitizer cmake/EcholucentCompiler.cmake disables these and more.)
+/// Here vectors are members of classes. Vectors of SVE cannot be, since no compiler knows their length. (The build
+/// disables these and more: cmake/EcholucentCompiler.cmake.)
 #ifndef HWY_DISABLED_TARGETS
 #define HWY_DISABLED_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 #endif
