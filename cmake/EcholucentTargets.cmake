@@ -212,5 +212,5 @@ endfunction()
 # where the compiler takes twice as long at -O1.
 function(echolucent_test_flags name)
     target_compile_definitions(${name} PRIVATE ECHOLUCENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-    target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
+    echolucent_little_optimised(${name})
 endfunction()

@@ -65,7 +65,7 @@ public:
     void scroll(QWidget* content) { m_content = content; }
     void layOutContent() {
         m_dock->removeEventFilter(this);
-        if (m_content == nullptr || widget() != nullptr) return;
+        if (widget() != nullptr) return;
         // An area asks a widget without a size for the one that it would like, and does not use it.
         m_content->resize(m_dock->size());
         setWidget(m_content);
@@ -73,9 +73,9 @@ public:
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        // The dock is polished before it asks how wide the content is.
-        if (watched == m_dock && event->type() == QEvent::Polish) layOutContent();
-        if (widget() != nullptr && watched == widget() && event->type() == QEvent::LayoutRequest) followWidth();
+        // Sent also where the window itself is not shown yet, before the docks share the width of the column.
+        if (watched == m_dock && event->type() == QEvent::ShowToParent) layOutContent();
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) followWidth();
         return QScrollArea::eventFilter(watched, event);
     }
 
@@ -118,8 +118,8 @@ private:
     SideStrip* m_strip;
 };
 
-/// What is said of a dock.
-struct DockWords {
+/// A dock of the column.
+struct Dock {
     const char* title;
     const char* name;
     const char* holds;   ///< for the tool tip of its name
@@ -135,15 +135,15 @@ public:
 
     /// Adds a dock that holds one panel, made of these arguments and its parent.
     template <typename Panel, typename... Arguments>
-    Panel* add(const DockWords& words, Arguments&... arguments) {
-        PanelScrollArea& area = addDock(words);
+    Panel* add(const Dock& dock, Arguments&... arguments) {
+        PanelScrollArea& area = addDock(dock);
         auto* panel = new Panel(arguments..., area.viewport());
         area.scroll(panel);
         return panel;
     }
     /// Adds a dock that holds panels from top to bottom. They are children of the layout's parentWidget().
-    QVBoxLayout* addColumn(const DockWords& words) {
-        PanelScrollArea& area = addDock(words);
+    QVBoxLayout* addColumn(const Dock& dock) {
+        PanelScrollArea& area = addDock(dock);
         auto* content = new QWidget(area.viewport());
         auto* column = new QVBoxLayout(content);
         column->setContentsMargins(0, 0, 0, 0);
@@ -174,11 +174,11 @@ private:
         bool shown;
     };
 
-    PanelScrollArea& addDock(const DockWords& words) {
-        auto* dock = new QDockWidget(QMainWindow::tr(words.title), &m_window);
-        dock->setObjectName(words.name);
-        dock->toggleViewAction()->setToolTip(QMainWindow::tr(words.holds));
-        m_areas.push_back({new PanelScrollArea(dock), words.shown});
+    PanelScrollArea& addDock(const Dock& dock) {
+        auto* widget = new QDockWidget(QMainWindow::tr(dock.title), &m_window);
+        widget->setObjectName(dock.name);
+        widget->toggleViewAction()->setToolTip(QMainWindow::tr(dock.holds));
+        m_areas.push_back({new PanelScrollArea(widget), dock.shown});
         return *m_areas.back().area;
     }
 

@@ -6,6 +6,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QTableWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -78,6 +79,22 @@ private slots:
         QCOMPARE(entriesOf("menu.panels"), panels);
         QVERIFY(!child<QLabel>("status.renderer")->text().contains(" ms"));
         QCOMPARE(window().document().steps().count(), steps);
+    }
+
+    void aPanelIsLaidOutWhenItsDockIsFirstShown() {
+        const auto areaOf = [this](const char* dock) { return child<QDockWidget>(dock)->findChild<QScrollArea*>(); };
+        for (const char* open : {"dock.view", "dock.room", "dock.study"}) QVERIFY(areaOf(open)->widget() != nullptr);
+        for (const char* closed : {"dock.method", "dock.otfEditor", "dock.explain"})
+            QCOMPARE(areaOf(closed)->widget(), nullptr);
+        auto* dock = child<QDockWidget>("dock.method");
+        dock->show();
+        dock->raise();
+        QWidget* panel = areaOf("dock.method")->widget();
+        QCOMPARE(panel, child("adaptive"));
+        // At once, so that nothing jumps when its width is asked for later.
+        QVERIFY(areaOf("dock.method")->minimumWidth() >= panel->minimumSizeHint().width());
+        QTRY_VERIFY(panel->isVisible() && panel->width() >= panel->minimumSizeHint().width());
+        QCOMPARE(areaOf("dock.explain")->widget(), nullptr);
     }
 
     void studyBeginsWithWhatTheScanIs() {
