@@ -8,6 +8,7 @@
 
 #include "io/document/document_file.h"
 #include "processing/adaptive/method_reading.h"
+#include "tests/inputs.h"
 #include "tests/io/document/unusual_document.h"
 
 namespace echolucent {
@@ -27,7 +28,8 @@ TEST(DocumentPaths, EveryPathNamesAValueThatCanBeSetToItself) {
     for (const Document& document : {Document{}, unusualDocument(), withOwnPanes()}) {
         const std::vector<std::string> paths = pathsOf(document);
         EXPECT_GT(paths.size(), 80U);
-        for (const std::string& path : paths) {
+        for (std::size_t i = 0; i < paths.size(); i += takesSomeInputs ? 5 : 1) {
+            const std::string& path = paths[i];
             const auto text = textAt(document, path);
             ASSERT_TRUE(text) << path;
             const auto again = withValueAt(document, path, *text);

@@ -173,8 +173,8 @@ CutSurface bowedSurface();
 // The front of 0.1 turned with the camera, so that a wall which was cut away came back as the hand moved.
 TEST(Scene, AFrontCutsTheSameVoxelsFromWhereverOneLooks) {
     VolumeGeometry geometry;
-    geometry.size = {41, 37, 33};
-    geometry.spacing = Vec3(0.7, 0.9, 1.1);
+    geometry.size = {21, 19, 17};
+    geometry.spacing = Vec3(1.4, 1.8, 2.2);
     for (const bool bowed : {false, true}) {
         Document document;
         document.beam.axis = BeamAxis::plusY;

@@ -24,15 +24,20 @@ void expectSameAsPlain(const NamedPolar& named, const ConversionGrid& grid, doub
     const auto converted = std::get<VoxelArray<Value>>(*conversion.convert(values));
     const auto mask = conversion.mask();
     std::size_t insonified = 0, off = 0;
+    double worst = 0.0;
+    Vec3 where;
     forEachVoxel(conversion.grid(), [&](std::size_t offset, const Vec3& mm) {
         const auto index = polarFromProbeMm(polar, mm);
         insonified += index ? 1 : 0;
         if (static_cast<bool>(index) != (mask[offset] != 0)) ++off;
         if (!index || mask[offset] == 0) return;
-        const double plain = plainTrilinear(polar, values, *index);
-        EXPECT_NEAR(static_cast<double>(converted[offset]), plain, tolerance)
-            << name << " " << mm[0] << " " << mm[1] << " " << mm[2];
+        const double difference =
+            std::abs(static_cast<double>(converted[offset]) - plainTrilinear(polar, values, *index));
+        if (difference <= worst || std::isnan(worst)) return;
+        worst = difference;
+        where = mm;
     });
+    EXPECT_LE(worst, tolerance) << name << " " << where[0] << " " << where[1] << " " << where[2];
     EXPECT_GT(insonified, 1000U) << name;
     EXPECT_EQ(off, 0U) << name;
 }

@@ -223,9 +223,10 @@ private:
         }
         std::ranges::sort(values);
         const double gradient = std::sqrt(squares);
-        for (std::size_t i = 0; i < levelCount; ++i) {
+        const auto below = static_cast<std::size_t>(values[0] / ContourSpectrum::isovalue(1));
+        for (std::size_t i = below; i < levelCount && ContourSpectrum::isovalue(i) < values[3]; ++i) {
             const double w = ContourSpectrum::isovalue(i);
-            if (w <= values[0] || w >= values[3]) continue;
+            if (w <= values[0]) continue;
             const double ofArea = gradient * content * quadraticSpline(values, w);
             area[i] += ofArea;
             gradientIntegral[i] += gradient * ofArea;
