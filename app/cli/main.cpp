@@ -1,25 +1,40 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/cli/program.h"
 #include "app/cli/study_program.h"
 
 namespace {
 
-void addCommands(CLI::App& program, echolucent::cli::Action& action, const echolucent::cli::Invocation& invocation) {
+/// Adds the command that a command line names, or all of them if it names none: hundreds of options take as long to add
+/// as a small command takes.
+void addCommands(CLI::App& program, echolucent::cli::Action& action, const echolucent::cli::Invocation& invocation,
+                 const std::vector<std::string>& words) {
     using namespace echolucent::cli;
     program.footer("Example: echolucent-cli render chest.mha -o chest.png");
-    addInfoCommand(program, action);
-    addFilesCommand(program, action);
-    addOtfCommand(program, action, invocation);
-    addParametersCommand(program, action);
-    addRenderCommand(program, action);
-    addCompareCommand(program, action);
-    addLessonCommand(program, action, invocation);
-    addQuietCommand(program, action);
-    addPhantomCommand(program, action);
-    addStudyProgram(program);
-    addSweepCommand(program, action, invocation);
+    const std::pair<std::string_view, std::function<void()>> commands[] = {
+        {"info", [&] { addInfoCommand(program, action); }},
+        {"files", [&] { addFilesCommand(program, action); }},
+        {"otf", [&] { addOtfCommand(program, action, invocation); }},
+        {"parameters", [&] { addParametersCommand(program, action); }},
+        {"render", [&] { addRenderCommand(program, action); }},
+        {"compare", [&] { addCompareCommand(program, action); }},
+        {"lesson", [&] { addLessonCommand(program, action, invocation); }},
+        {"quiet", [&] { addQuietCommand(program, action); }},
+        {"phantom", [&] { addPhantomCommand(program, action); }},
+        {"study", [&] { addStudyProgram(program); }},  // and bench; never the only ones (isForStudyProgram())
+        {"sweep", [&] { addSweepCommand(program, action, invocation); }},
+    };
+    const auto isNamed = [&](const auto& command) { return !words.empty() && words.front() == command.first; };
+    const bool namesOne = std::ranges::any_of(commands, isNamed);
+    for (const auto& command : commands)
+        if (!namesOne || isNamed(command)) command.second();
 }
 
 }  // namespace
@@ -34,6 +49,8 @@ int main(int count, char** arguments) {
     CLI::App program{"Echolucent: adaptive opacity transfer functions for 3D ultrasound. Not a medical device."};
     const Invocation invocation{std::string("echolucent-cli ") + ECHOLUCENT_VERSION,
                                 {arguments + 1, arguments + count}};
-    const auto add = [&](CLI::App& commands, Action& action) { addCommands(commands, action, invocation); };
+    const auto add = [&](CLI::App& commands, Action& action) {
+        addCommands(commands, action, invocation, wordsOf(count, arguments));
+    };
     return runProgram(program, invocation.program, add, count, arguments);
 }
