@@ -75,6 +75,8 @@ public:
     void leaveNow();
     /// Whether a lesson is played; false while its scan is being made.
     [[nodiscard]] bool playing() const { return m_lesson.has_value(); }
+    /// The lesson that is played; none while its scan is being made.
+    [[nodiscard]] const std::optional<Lesson>& lesson() const { return m_lesson; }
     /// The step that is shown, counted from 0.
     [[nodiscard]] std::size_t step() const { return m_step; }
     /// Whether the present step's condition has held since the step began, or it has none.

@@ -126,10 +126,8 @@ QString problemOfLesson(MainWindow& window) {
                 return "something is outlined without a lesson";
         return {};
     }
-    const auto lesson = std::ranges::find_if(player.lessons(), [&](const Lesson& each) {
-        return words(textIn(each, "en").title) == label("lessons.lesson");
-    });
-    if (lesson == player.lessons().end()) return "the panel names a lesson that there is not";
+    const auto& lesson = player.lesson();  // one that comes with the program, or an edited copy of it
+    if (words(textIn(*lesson, "en").title) != label("lessons.lesson")) return "the panel names another lesson";
     const auto *opened = std::get_if<SimulatedScan>(&window.openStudy().reference()),
                *wanted = std::get_if<SimulatedScan>(&lesson->begins.study);
     if (opened == nullptr || opened->scene != wanted->scene || opened->seed != wanted->seed)
