@@ -12,8 +12,8 @@
 
 namespace {
 
-/// Adds the command that a command line names, or all of them if it names none: hundreds of options take as long to add
-/// as a small command takes.
+/// Adds the command that a command line names, or all of them if it names none. The options of all take 2 ms to add,
+/// and 100 ms under the address sanitizer, where tests start a thousand commands.
 void addCommands(CLI::App& program, echolucent::cli::Action& action, const echolucent::cli::Invocation& invocation,
                  const std::vector<std::string>& words) {
     using namespace echolucent::cli;
