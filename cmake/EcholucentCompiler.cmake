@@ -26,12 +26,17 @@ if(CCACHE AND NOT CMAKE_UNITY_BUILD)
     set(CMAKE_C_COMPILER_LAUNCHER ${CMAKE_CXX_COMPILER_LAUNCHER})
 endif()
 
-# Of the linkers that come with the compiler, gold takes a quarter of the time for some thirty programs with VTK. It warns of
-# each symbol of clang's sanitizers.
+# Of the linkers that come with g++, gold takes a quarter of the time for some thirty programs with VTK. It warns of each symbol
+# of clang's sanitizers; clang's own linker does not.
 include(CheckLinkerFlag)
-check_linker_flag(CXX -fuse-ld=gold ECHOLUCENT_HAS_GOLD)
-if(ECHOLUCENT_HAS_GOLD AND NOT (ECHOLUCENT_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang"))
-    add_link_options(-fuse-ld=gold)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    set(linker lld)
+else()
+    set(linker gold)
+endif()
+check_linker_flag(CXX -fuse-ld=${linker} ECHOLUCENT_HAS_LINKER)
+if(ECHOLUCENT_HAS_LINKER)
+    add_link_options(-fuse-ld=${linker})
 endif()
 
 # No -ffast-math anywhere: NaN voxels must stay recognisable. No contraction: the same bits on every machine.
