@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QSlider>
+#include <QTimer>
 
 #include "tests/app/session_fixture.h"
 #include "tests/qt_program/test_classes.h"
@@ -278,13 +279,17 @@ private slots:
     void closingAsksOnlyWhereASessionWithAFileWasChanged() {
         const auto asked = [this](const char* answer) {
             int boxes = 0;
-            QTimer::singleShot(0, this, [&] {
+            // Where nothing is asked, it ends with this function.
+            QTimer answering;
+            answering.setSingleShot(true);
+            connect(&answering, &QTimer::timeout, this, [&] {
                 auto* box = window().findChild<QMessageBox*>("unsavedSession");
                 if (box == nullptr) return;
                 ++boxes;
                 for (QAbstractButton* button : box->buttons())
                     if (button->text().remove('&').startsWith(answer)) return button->click();
             });
+            answering.start(0);
             window().close();
             return boxes;
         };

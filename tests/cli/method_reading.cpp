@@ -9,7 +9,10 @@ namespace {
 
 using nlohmann::json;
 
-json parametersOf(const std::string& options) { return otfOf(shapesFile(), options)["parameters"]; }
+/// The parameters of an OTF of a small volume: they do not ask what it shows.
+json parametersOf(const std::string& options) {
+    return otfOf(phantomFile("small.mha", "--scene shapes --size 44x40x48 --seed 5"), options)["parameters"];
+}
 
 TEST(OtfReading, SetsEverythingAndIsNamedInTheReport) {
     const json standard = parametersOf("");
