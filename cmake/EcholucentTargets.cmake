@@ -3,7 +3,8 @@
 # room, also those in anonymous namespaces. Files with compile options of their own are compiled by themselves.
 
 # Headers of others that most files of a target read are parsed once, if files are compiled one by one, or by clang, to which they
-# are a fifth of a room's time; to g++ they are a twentieth. Each file still includes what it uses: scripts/check compiles each alone.
+# are a fifth of a room's time. To g++ they are a twentieth, with Qt a sixth, and it would parse them first. Each file
+# still includes what it uses: scripts/check compiles each alone.
 function(echolucent_precompile name)
     if(ARGN AND NOT (CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
         target_precompile_headers(${name} PRIVATE ${ARGN})
@@ -217,8 +218,8 @@ function(echolucent_qt_test name)
 endfunction()
 
 # Tests whose own code the address sanitizer does not watch: what they test is a program, which it watches in a process of its own,
-# or the numeric core, whose optimised code holds its own copies of what is inline. They compile and run in half the time. The
-# thread sanitizer watches them: their threads meet those of the core.
+# or the numeric core, whose optimised code holds its own copies of what is inline. Those of the command line compile in
+# half the time. The thread sanitizer watches them: their threads meet those of the core.
 function(echolucent_not_sanitized name)
     if(ECHOLUCENT_SANITIZE MATCHES "address")
         target_compile_options(${name} PRIVATE -fno-sanitize=all)
