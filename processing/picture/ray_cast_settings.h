@@ -53,6 +53,10 @@ struct RayCastSettings {
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most this share of white
+    /// Levels of 255, >= 0. Above 0, and in direct mode without depths, rays go through every second column and row
+    /// first. Pixels between them are interpolated if that seems to err by at most this (fillBetweenRays()). 0 casts
+    /// every pixel.
+    double pixelTolerance = 0.0;
     bool skipEmptySpace = true;  ///< skips regions that the curve makes transparent: the same picture, sooner
     bool findDepth = false;      ///< whether to fill Picture::depthMm
     friend bool operator==(const RayCastSettings&, const RayCastSettings&) = default;
@@ -65,6 +69,7 @@ struct RayCastSettings {
     settings.shading.reset();
     settings.depthColouring.reset();
     settings.findDepth = false;
+    settings.pixelTolerance = 0.0;
     return settings;
 }
 

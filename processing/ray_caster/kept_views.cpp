@@ -16,6 +16,7 @@ RayCastSettings keyOf(RayCastSettings settings) {
     settings.lightCoarseness = standard.lightCoarseness;
     settings.depthColouring = standard.depthColouring;
     settings.terminationTransmittance = standard.terminationTransmittance;
+    settings.pixelTolerance = standard.pixelTolerance;
     settings.skipEmptySpace = standard.skipEmptySpace;
     settings.findDepth = standard.findDepth;
     return settings;

@@ -10,6 +10,7 @@
 #include "processing/picture/render_mode.h"
 #include "processing/ray_caster/light_source.h"
 #include "processing/ray_caster/packed/border_space.h"
+#include "processing/ray_caster/packed/gradient_places.h"
 #include "processing/ray_caster/packed/packed_light.h"
 #include "processing/ray_caster/packed/packed_voxels.h"
 #include "processing/ray_caster/packed/transfer_table.h"
@@ -58,6 +59,7 @@ struct KernelJob {
     const ByteOpacities* byteOpacities = nullptr;
     const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null if `table` gives opacities
     const LightSource* light = nullptr;                   ///< null if no gradient is needed
+    const GradientPlaces* gradients = nullptr;            ///< null if no gradient is stored
     const PackedLight* reaching = nullptr;                ///< null if the light asks for no light volume
     float stepUnits = 1.0f;                               ///< RayCastSettings::step
     float worthGradient = 0.0f;                           ///< LightSource::worthGradient for the step
@@ -72,6 +74,8 @@ struct KernelJob {
     KeptSamples* kept = nullptr;                            ///< the kernel fills it, or uses it if it is full
     float keptPerPosition = KeptSamples::perTablePosition;  ///< perByte / toTable, if byteOpacities is set
     Picture* picture = nullptr;
+    int apart = 1;                         ///< pixels from one ray to the next, along rows and columns
+    const std::uint8_t* chosen = nullptr;  ///< direct mode only: not 0 where a ray is cast, row-major; null for all
 };
 
 /// Pixels [firstColumn, lastColumn) x [firstRow, lastRow). The first pixel is at the corner of a packet.

@@ -88,7 +88,9 @@ private:
             hn::Mul(inFloats([&](Doubles, int i) { return load(cut.length + i); }), set(m_job.stepUnits));
         const RichStep step{number, position, opacityOfPart(run, position, cut, units), units,
                             run.volume.presence != nullptr};
-        blendRich(run, step, alive, blend);
+        auto shares = m_rays->cutFaces.shares();
+        blendRich(run, step, alive, shares, blend);
+        m_rays->cutFaces.setShares(shares);
         add(blend);
     }
 
@@ -118,16 +120,62 @@ private:
             if (hn::AllFalse(floats, hn::And(alive, hn::Gt(run.end, set(static_cast<float>(block)))))) break;
             if (endsAt(run, block)) break;
             const std::int64_t last = std::min(run.count, block + blockSize);
-            const bool borders = bordersOn(run, block);
-            for (std::int64_t i = block; i < last; ++i) {
-                const auto number = set(static_cast<float>(i));
-                const auto position = positionOf(run, i, number, stored);
-                const auto opacity = opacityOf(run, number, position, alive);
-                blendRich(run, {number, position, opacity, set(m_job.stepUnits), borders}, alive, blend);
-            }
+            if (last == block + blockSize)
+                blendGroup<static_cast<int>(blockSize)>(run, block, stored, alive, blend);
+            else
+                // Runs of single rays may be shorter than a block.
+                for (std::int64_t i = block; i < last; ++i) blendGroup<1>(run, i, stored, alive, blend);
         }
         add(blend);
         return done(run, block, stored);
+    }
+    /// Adds samples i ... i + group - 1. Each stage handles all samples before the next stage begins. So the processor
+    /// has other samples to begin while one waits for its voxels.
+    template <int group>
+    HWY_INLINE void blendGroup(const Run<Voxel>& run, std::int64_t i, bool stored, LaneMask alive, Blend& blend) {
+        const Floats floats;
+        const bool borders = bordersOn(run, i / blockSize * blockSize);
+        FloatVector position[group], opacity[group];
+        positionsOf<group>(run, i, stored, position);
+        auto most = set(0.0f);
+        for (int k = 0; k < group; ++k) {
+            const auto number = set(static_cast<float>(i + k));
+            opacity[k] = opacityOf(run, number, position[k], alive);
+            most = hn::Max(most, opacity[k]);
+        }
+        const auto units = set(m_job.stepUnits);
+        // With a curve that clears fluid, half of the samples show nothing.
+        const bool clear = hn::AllFalse(floats, hn::Gt(most, set(0.0f)));
+        if (clear && !m_rays->light) return;
+        auto shares = m_rays->cutFaces.shares();
+        if (clear && !borders && hn::AllFalse(floats, hn::Gt(shares, set(0.0f)))) return;
+        for (int k = 0; k < group; ++k) {
+            const RichStep step{set(static_cast<float>(i + k)), position[k], opacity[k], units, borders};
+            blendRich(run, step, alive, shares, blend);
+        }
+        m_rays->cutFaces.setShares(shares);
+    }
+    /// The table positions of samples i ... i + group - 1.
+    template <int group>
+    HWY_INLINE void positionsOf(const Run<Voxel>& run, std::int64_t i, bool stored, FloatVector (&position)[group]) {
+        const auto number = [&](int k) { return set(static_cast<float>(i + k)); };
+        if (m_rays->kept != nullptr) {
+            for (int k = 0; k < group; ++k) position[k] = positionOf(run, i + k, number(k), stored);
+            return;
+        }
+        if constexpr (std::is_same_v<Voxel, std::uint8_t>) {
+            CubeOfBytes cube[group];
+            const Cubes<Voxel>& volume = run.volume;
+            for (int k = 0; k < group; ++k) {
+                const Position exact = run.at(number(k)), at = m_job.nearest ? nearestVoxel(exact) : exact;
+                cube[k] =
+                    cubeOfBytes(volume.cubes, volume.sliceStride, volume.offsetOf(at), at, run.inRange(number(k)));
+            }
+            for (int k = 0; k < group; ++k)
+                position[k] = tablePositionOf<Voxel>(hn::Mul(meanOf(cube[k]), set(1.0f / byteScale)), m_job.toTable);
+        } else {
+            for (int k = 0; k < group; ++k) position[k] = sampled(run, run.at(number(k)), run.inRange(number(k)));
+        }
     }
     /// Ends the run behind sample `behind` - 1, or at its own end. Returns how many of its samples were used.
     std::int64_t done(const Run<Voxel>& run, std::int64_t behind, bool stored) {
@@ -321,8 +369,9 @@ private:
         bool borders;       ///< whether data may end near it
     };
 
-    /// Adds samples with light, tint and depth.
-    HWY_INLINE void blendRich(const Run<Voxel>& run, const RichStep& step, LaneMask alive, Blend& blend) {
+    /// Adds samples with light, tint and depth. `shares` are those of the cut's face (CutFaces).
+    HWY_INLINE void blendRich(const Run<Voxel>& run, const RichStep& step, LaneMask alive, FloatVector& shares,
+                              Blend& blend) {
         const Floats floats;
         const auto inRange = run.inRange(step.number);
         auto opacity = hn::IfThenElseZero(hn::And(alive, inRange), step.opacity);
@@ -332,7 +381,9 @@ private:
             opacity = hn::Mul(opacity, coverageOf(presence, m_job.nearest));
             border = borderOf(presence);
         }
-        const auto unlit = m_rays->light ? m_rays->cutFaces.pass(step.units, step.opacity, border, inRange) : border;
+        auto unlit = border;
+        if (m_rays->light && (step.borders || !hn::AllFalse(floats, hn::Gt(shares, set(0.0f)))))
+            unlit = CutFaces::pass(step.units, step.opacity, border, inRange, shares);
         // With a curve that clears fluid, half of the samples show nothing.
         if (hn::AllFalse(floats, hn::Gt(opacity, set(0.0f)))) return;
         const auto added = hn::NegMulAdd(opacity, blend.opacity, opacity);
@@ -374,12 +425,14 @@ private:
     }
     void passEmpty(const Run<Voxel>& run) {
         const bool borders = run.volume.presence != nullptr;
+        auto shares = m_rays->cutFaces.shares();
         for (std::int64_t i = 0; i < run.count; ++i) {
             const auto number = set(static_cast<float>(i)), zero = set(0.0f);
             const auto inRange = run.inRange(number);
             const auto border = borders ? borderOf(presenceOf(run, number, inRange)) : zero;
-            (void)m_rays->cutFaces.pass(set(m_job.stepUnits), zero, border, inRange);
+            (void)CutFaces::pass(set(m_job.stepUnits), zero, border, inRange, shares);
         }
+        m_rays->cutFaces.setShares(shares);
     }
 
     HWY_INLINE void addSample(FloatVector added, const Colour& colour, FloatVector number, Blend& blend) {

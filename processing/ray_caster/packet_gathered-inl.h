@@ -46,8 +46,8 @@ struct DirectRays {
     Gathered gathered;
     CutFaces cutFaces;
 
-    DirectRays(const KernelJob<Voxel>& job, int column, int row, KeptSamples::Packet* keptSamples)
-        : packet(job, column, row), kept(keptSamples) {
+    DirectRays(const KernelJob<Voxel>& job, const PacketPixels& pixels, KeptSamples::Packet* keptSamples)
+        : packet(job, pixels), kept(keptSamples) {
         if (job.light != nullptr && !packet.empty()) light.emplace(job, packet.rays());
     }
 };

@@ -31,7 +31,8 @@ struct Run {
     std::array<std::int64_t, 3> corner;                       ///< cube
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cubes
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
-    bool near = true;  ///< whether all cut steps lie near enough to the corner to count from it
+    bool near = true;     ///< whether all cut steps lie near enough to the corner to count from it
+    bool stored = false;  ///< whether GradientPlaces have all derivatives of all samples
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
@@ -101,17 +102,41 @@ struct Extent {
     }
 };
 
+/// The pixels of a packet of rays.
+struct PacketPixels {
+    alignas(64) int column[lanes], row[lanes];
+    int count = 0;  ///< lanes from this one on have no pixel; they repeat the first one
+
+    /// The pixels of a block of packetColumns x packetRows, `apart` pixels from each other.
+    static HWY_INLINE PacketPixels block(int column, int row, int apart) {
+        PacketPixels pixels;
+        for (int i = 0; i < lanes; ++i) {
+            pixels.column[i] = column + i % packetColumns * apart;
+            pixels.row[i] = row + i / packetColumns * apart;
+        }
+        pixels.count = lanes;
+        return pixels;
+    }
+    /// Calls visit(lane, offset of the pixel in a picture) for each pixel within it.
+    template <typename Visit>
+    void forEachIn(const Picture& picture, const Visit& visit) const {
+        for (int i = 0; i < count; ++i)
+            if (column[i] < picture.width && row[i] < picture.height)
+                visit(i, static_cast<std::size_t>(row[i]) * static_cast<std::size_t>(picture.width) +
+                             static_cast<std::size_t>(column[i]));
+    }
+};
+
 /// The rays of neighbouring pixels on their way through the volume.
 template <typename Voxel>
 class Packet {
 public:
-    Packet(const KernelJob<Voxel>& job, int column, int row) : m_job(job) {
-        job.rays->fill(m_rays, column, row, packetColumns);
+    Packet(const KernelJob<Voxel>& job, const PacketPixels& pixels) : m_job(job) {
+        job.rays->fill(m_rays, pixels.column, pixels.row);
         // Pixels beyond the picture's edge cast nothing.
-        if (column + packetColumns > job.picture->width || row + packetRows > job.picture->height)
-            for (int i = 0; i < lanes; ++i)
-                if (column + i % packetColumns >= job.picture->width || row + i / packetColumns >= job.picture->height)
-                    m_rays.remove(i);
+        for (int i = 0; i < lanes; ++i)
+            if (i >= pixels.count || pixels.column[i] >= job.picture->width || pixels.row[i] >= job.picture->height)
+                m_rays.remove(i);
         findExtent();
     }
 
@@ -301,6 +326,13 @@ private:
         run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
         if (m_job.borders != nullptr && touchesBorder(low, high))
             run.volume.presence = m_job.presence + offset * voxelsPerCube;
+        if (m_job.gradients == nullptr) return;
+        run.stored = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            constexpr double rounding = 0.01;
+            run.stored = run.stored && low[axis] - rounding >= m_job.gradients->firstCube(axis) &&
+                         high[axis] + rounding < m_job.gradients->lastCube(axis);
+        }
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {

@@ -344,12 +344,15 @@ HWY_INLINE Position nearestVoxel(const Position& at) {
     return {round(at.x), round(at.y), round(at.z)};
 }
 
-/// Table positions, 0 ... intervals.
+/// Table positions, 0 ... intervals, of values.
 template <typename Voxel>
-HWY_INLINE FloatVector tablePositionAt(const Cubes<Voxel>& volume, const Position& at, float toTable, LaneMask active) {
-    const auto value = meanOf(volume, volume.offsetOf(at), at, active);
+HWY_INLINE FloatVector tablePositionOf(FloatVector value, float toTable) {
     const auto position = hn::Min(hn::Mul(value, set(toTable)), set(static_cast<float>(TransferTable::intervals)));
     return std::is_same_v<Voxel, float> ? hn::Max(position, set(0.0f)) : position;
+}
+template <typename Voxel>
+HWY_INLINE FloatVector tablePositionAt(const Cubes<Voxel>& volume, const Position& at, float toTable, LaneMask active) {
+    return tablePositionOf<Voxel>(meanOf(volume, volume.offsetOf(at), at, active), toTable);
 }
 
 }  // namespace echolucent::ray_casting::HWY_NAMESPACE

@@ -14,17 +14,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
 
-/// Calls write(lane, offset of the pixel in the picture) for each ray of a packet.
-template <typename Write>
-void forEachPixel(const Picture& picture, int column, int row, const Write& write) {
-    for (int i = 0; i < lanes; ++i) {
-        const int x = column + i % packetColumns, y = row + i / packetColumns;
-        if (x < picture.width && y < picture.height)
-            write(i,
-                  static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x));
-    }
-}
-
 template <typename Voxel>
 KeptSamples::Packet* keptOf(const KernelJob<Voxel>& job, int column, int row) {
     if (job.kept == nullptr) return nullptr;
@@ -34,7 +23,7 @@ KeptSamples::Packet* keptOf(const KernelJob<Voxel>& job, int column, int row) {
 }
 
 template <typename Voxel>
-void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int column, int row) {
+void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, const PacketPixels& pixels) {
     const Floats floats;
     Picture& picture = *job.picture;
     const auto rounded = [&](const double* values) {
@@ -46,30 +35,31 @@ void writeDirect(const KernelJob<Voxel>& job, const Gathered& gathered, int colu
         inFloats([&](Doubles, int i) { return hn::Sub(setDouble(1.0), load(gathered.transmittance + i)); });
     hn::StoreInterleaved4(hn::Min(rounded(gathered.colour[0]), one), hn::Min(rounded(gathered.colour[1]), one),
                           hn::Min(rounded(gathered.colour[2]), one), opacity, floats, rgba);
-    forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
+    pixels.forEachIn(picture, [&](int lane, std::size_t pixel) {
         std::copy_n(rgba + lane * 4, 4, &picture.rgba[pixel * 4]);
         if (!picture.depthMm.empty()) picture.depthMm[pixel] = gathered.depthMm[lane];
     });
 }
 
 template <typename Voxel, bool isTwoDimensional>
-void castDirect(const KernelJob<Voxel>& job, DirectKernel<Voxel, isTwoDimensional>& kernel, int column, int row) {
-    DirectRays<Voxel> rays(job, column, row, keptOf(job, column, row));
+void castDirect(const KernelJob<Voxel>& job, DirectKernel<Voxel, isTwoDimensional>& kernel, const PacketPixels& pixels,
+                KeptSamples::Packet* kept) {
+    DirectRays<Voxel> rays(job, pixels, kept);
     if (rays.packet.empty()) return;
     kernel.cast(rays);
-    writeDirect(job, rays.gathered, column, row);
+    writeDirect(job, rays.gathered, pixels);
 }
 
 template <typename Voxel>
-void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, ColourMap map, int column, int row) {
+void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, const PacketPixels& pixels) {
     Picture& picture = *job.picture;
     ExtremesKernel<Voxel> kernel(job, packet);
     kernel.cast();
     const Seen& seen = kernel.seen();
-    forEachPixel(picture, column, row, [&](int lane, std::size_t pixel) {
+    pixels.forEachIn(picture, [&](int lane, std::size_t pixel) {
         if (seen.count[lane] == 0.0) return;
         const double share = job.mode == RenderMode::mean ? 1.0 / seen.count[lane] : 1.0;
-        const Vec3 colour = colourOf(map, seen.value[lane] * share / TransferTable::intervals);
+        const Vec3 colour = colourOf(job.colourMap, seen.value[lane] * share / TransferTable::intervals);
         float* out = &picture.rgba[pixel * 4];
         for (int channel = 0; channel < 3; ++channel) out[channel] = static_cast<float>(colour[channel]);
         out[3] = 1.0f;
@@ -77,17 +67,47 @@ void castExtremes(const KernelJob<Voxel>& job, const Packet<Voxel>& packet, Colo
     });
 }
 
-/// Calls cast(column, row) for each packet of a tile.
-template <typename Cast>
-void forEachPacket(const Tile& tile, const Cast& cast) {
-    for (int row = tile.firstRow; row < tile.lastRow; row += packetRows)
-        for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns) cast(column, row);
+/// Calls cast(pixels, column, row) for each packet of a tile.
+template <typename Voxel, typename Cast>
+void forEachPacket(const KernelJob<Voxel>& job, const Tile& tile, const Cast& cast) {
+    for (int row = tile.firstRow; row < tile.lastRow; row += packetRows * job.apart)
+        for (int column = tile.firstColumn; column < tile.lastColumn; column += packetColumns * job.apart)
+            cast(PacketPixels::block(column, row, job.apart), column, row);
+}
+/// Calls cast(pixels) for packets of the chosen pixels of a tile: those of each block of 8 x 8 pixels follow each
+/// other.
+template <typename Voxel, typename Cast>
+void forEachChosen(const KernelJob<Voxel>& job, const Tile& tile, const Cast& cast) {
+    constexpr int edge = 8;
+    PacketPixels pixels;
+    const auto castAll = [&] {
+        for (int i = pixels.count; i < lanes; ++i) {
+            pixels.column[i] = pixels.column[0];
+            pixels.row[i] = pixels.row[0];
+        }
+        cast(pixels);
+        pixels.count = 0;
+    };
+    for (int top = tile.firstRow; top < tile.lastRow; top += edge)
+        for (int left = tile.firstColumn; left < tile.lastColumn; left += edge)
+            for (int row = top; row < std::min(top + edge, tile.lastRow); ++row)
+                for (int column = left; column < std::min(left + edge, tile.lastColumn); ++column) {
+                    if (job.chosen[row * std::ptrdiff_t{job.picture->width} + column] == 0) continue;
+                    pixels.column[pixels.count] = column;
+                    pixels.row[pixels.count] = row;
+                    if (++pixels.count == lanes) castAll();
+                }
+    if (pixels.count > 0) castAll();
 }
 
 template <bool isTwoDimensional, typename Voxel>
 void castDirectPackets(const KernelJob<Voxel>& job, const Tile& tile) {
     DirectKernel<Voxel, isTwoDimensional> kernel(job);
-    forEachPacket(tile, [&](int column, int row) { castDirect(job, kernel, column, row); });
+    if (job.chosen != nullptr)
+        return forEachChosen(job, tile, [&](const PacketPixels& pixels) { castDirect(job, kernel, pixels, nullptr); });
+    forEachPacket(job, tile, [&](const PacketPixels& pixels, int column, int row) {
+        castDirect(job, kernel, pixels, keptOf(job, column, row));
+    });
 }
 
 template <typename Voxel>
@@ -96,9 +116,9 @@ void castPackets(const KernelJob<Voxel>& job, const Tile& tile) {
         if (job.twoDimensional != nullptr) return castDirectPackets<true>(job, tile);
         return castDirectPackets<false>(job, tile);
     }
-    forEachPacket(tile, [&](int column, int row) {
-        const Packet<Voxel> packet(job, column, row);
-        if (!packet.empty()) castExtremes(job, packet, job.colourMap, column, row);
+    forEachPacket(job, tile, [&](const PacketPixels& pixels, int, int) {
+        const Packet<Voxel> packet(job, pixels);
+        if (!packet.empty()) castExtremes(job, packet, pixels);
     });
 }
 

@@ -7,6 +7,7 @@
 #include "processing/parallel.h"
 #include "processing/picture/view_limits.h"
 #include "processing/progress_count.h"
+#include "processing/ray_caster/between_rays.h"
 #include "processing/ray_caster/kept_views.h"
 #include "processing/ray_caster/kernel_job.h"
 #include "processing/ray_caster/light_reaching.h"
@@ -28,20 +29,37 @@ template <typename Voxel>
 bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const RayGeometry::PixelBox box = job.rays->visiblePixels();
     const PacketShape shape = packetShape();
-    const int left = box.firstColumn / shape.columns * shape.columns, top = box.firstRow / shape.rows * shape.rows;
-    const int columns = (std::max(0, box.lastColumn - left) + tileEdge - 1) / tileEdge;
-    const int rows = (std::max(0, box.lastRow - top) + tileEdge - 1) / tileEdge;
+    const int acrossPacket = shape.columns * job.apart, downPacket = shape.rows * job.apart;
+    const int left = box.firstColumn / acrossPacket * acrossPacket, top = box.firstRow / downPacket * downPacket;
+    const int edge = tileEdge * job.apart;
+    const int columns = (std::max(0, box.lastColumn - left) + edge - 1) / edge;
+    const int rows = (std::max(0, box.lastRow - top) + edge - 1) / edge;
     ProgressCount count(progress, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
     parallelFor(LoopRectangle<int>(rows, columns), [&](const auto& tiles) {
         for (int row = tiles.rows().begin(); row < tiles.rows().end(); ++row)
             for (int column = tiles.columns().begin(); column < tiles.columns().end(); ++column) {
                 if (progress.cancelled()) return;
-                const int x = left + column * tileEdge, y = top + row * tileEdge;
-                castTile(job, {x, std::min(x + tileEdge, box.lastColumn), y, std::min(y + tileEdge, box.lastRow)});
+                const int x = left + column * edge, y = top + row * edge;
+                castTile(job, {x, std::min(x + edge, box.lastColumn), y, std::min(y + edge, box.lastRow)});
                 count.oneDone();
             }
     });
     return !progress.cancelled();
+}
+
+/// As castTiles(), but casts only pixels that cannot be interpolated between others (RayCastSettings::pixelTolerance).
+/// Sets the share of the visible pixels that were cast.
+template <typename Voxel>
+bool castSparsely(KernelJob<Voxel> job, double tolerance, const Progress& progress, double& share) {
+    job.apart = raysApart;
+    if (!castTiles(job, Progress{{}, progress.cancel})) return false;
+    const RayGeometry::PixelBox box = job.rays->visiblePixels();
+    const PixelsLeft left = fillBetweenRays(*job.picture, box, tolerance);
+    const double pixels = static_cast<double>(box.lastColumn - box.firstColumn) * (box.lastRow - box.firstRow);
+    share = pixels > 0.0 ? 1.0 / (raysApart * raysApart) + static_cast<double>(left.count) / pixels : 1.0;
+    job.apart = 1;
+    job.chosen = left.chosen.data();
+    return castTiles(job, progress);
 }
 
 DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geometry, const RayCastSettings& settings) {
@@ -70,6 +88,7 @@ public:
           m_empty(m_ranges.grid()),
           m_borders(other.m_borders),
           m_packed(other.m_packed),
+          m_places(other.m_places),
           m_reaching(volume) {}
     Parts& operator=(const Parts&) = delete;
     Parts(Parts&&) = delete;
@@ -120,6 +139,8 @@ public:
     }
 
     [[nodiscard]] double lightMilliseconds() const { return m_reaching.milliseconds(); }
+    [[nodiscard]] double castShare() const { return m_castShare; }
+    [[nodiscard]] std::size_t storedGradientBytes() const { return m_places ? m_places->bytes() : 0; }
 
     std::shared_ptr<const Volume> volume;
     KeptViews kept;
@@ -155,6 +176,21 @@ private:
         m_visible.emplace(*otf.twoDimensional());
         m_visibleOf = otf;
         return true;
+    }
+
+    /// The gradients for a light. Null if the bricks that are shown need too much memory, or nothing can be stored. So
+    /// a picture does not depend on those before.
+    template <typename Voxel>
+    const GradientPlaces* gradientsFor(const PackedVoxels<Voxel>& packed, const LightSource& light,
+                                       double gradientFloor, std::int64_t shown) {
+        const std::optional<GradientRule> rule = GradientRule::of(light, gradientFloor);
+        const std::size_t most = GradientPlaces::mostBytes(packed.bytes());
+        if (!rule || static_cast<std::size_t>(shown) * GradientPlaces::bytesPerBrick > most) return nullptr;
+        if (!m_places || !(m_places->rule() == *rule) || m_places->bytes() > most)
+            m_places = std::make_shared<const GradientPlaces>(
+                std::shared_ptr<const PackedVoxels<Voxel>>(m_packed, &packed), volume->geometry(),
+                PackedVoxels<Voxel>::toTable(volume->whiteLevel()), *rule);
+        return m_places.get();
     }
 
     template <typename Voxel>
@@ -217,7 +253,15 @@ private:
                 m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();
         }
-        return castTiles(job, progress);
+        if (light)
+            job.gradients = gradientsFor(packed, *light, settings.shading->gradientFloor,
+                                         job.distances != nullptr ? m_empty.shown() : m_ranges.grid().count());
+        m_castShare = 1.0;
+        // Between rays that are farther apart lie whole voxels that no ray has seen.
+        const bool close = raysApart * rays.widestPixelMm(volume->geometry()) <= volume->geometry().unit();
+        const bool sparse =
+            direct && settings.pixelTolerance > 0.0 && !settings.findDepth && job.kept == nullptr && close;
+        return sparse ? castSparsely(job, settings.pixelTolerance, progress, m_castShare) : castTiles(job, progress);
     }
 
     PackedPresence m_presence;
@@ -225,10 +269,12 @@ private:
     EmptySpace m_empty;
     BorderSpace m_borders;
     std::shared_ptr<const Packed> m_packed;
+    std::shared_ptr<const GradientPlaces> m_places;  ///< of the newest light
     LightReaching m_reaching;
     std::optional<PackedGradients> m_gradients;  ///< of the newest two-dimensional OTF
     std::optional<VisibleNodes> m_visible;
     std::optional<Classification> m_visibleOf;
+    double m_castShare = 1.0;
 };
 
 RayCaster::RayCaster(const std::shared_ptr<const Volume>& volume) : m_parts(std::make_unique<Parts>(volume)) {}
@@ -253,7 +299,11 @@ std::optional<Picture> RayCaster::cast(const Classification& classification, con
 
 double RayCaster::lightMilliseconds() const { return m_parts->lightMilliseconds(); }
 
+double RayCaster::castShare() const { return m_parts->castShare(); }
+
 SampleUse RayCaster::sampleUse() const { return m_parts->kept.sampleUse(); }
+
+std::size_t RayCaster::storedGradientBytes() const { return m_parts->storedGradientBytes(); }
 
 std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
 

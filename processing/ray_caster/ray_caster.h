@@ -76,10 +76,16 @@ public:
     /// Wall time that the newest cast() took to make its light volume; 0 if it made none.
     [[nodiscard]] double lightMilliseconds() const;
 
+    /// Share of the pixels that may show the volume through which the newest cast() cast a ray: 1 unless
+    /// RayCastSettings::pixelTolerance let it interpolate others.
+    [[nodiscard]] double castShare() const;
+
     /// The most bytes that the samples of one view may take, 2 each. If they need more, the caster keeps none.
     static constexpr std::size_t sampleMemoryLimit = std::size_t{512} << 20;
     /// Bytes of kept samples now.
     [[nodiscard]] std::size_t keptSampleBytes() const;
+    /// Bytes of the gradients that light has asked for so far. Casters of one volume share them.
+    [[nodiscard]] std::size_t storedGradientBytes() const;
 
 private:
     class Parts;

@@ -45,6 +45,8 @@ void requireSensible(const RayCastSettings& settings) {
             throw std::invalid_argument("castRays: a clipping plane needs a finite point and a normal");
     if (std::isnan(settings.terminationTransmittance))
         throw std::invalid_argument("castRays: the transmittance at which rays end is not a number");
+    if (!(settings.pixelTolerance >= 0.0))
+        throw std::invalid_argument("castRays: the tolerance of pixels must not be negative");
     if (settings.cutSurface && !problemOf(*settings.cutSurface).empty())
         throw std::invalid_argument("castRays: the cut surface " + problemOf(*settings.cutSurface));
     if (settings.shading) requireSensible(*settings.shading);
@@ -135,9 +137,14 @@ RayGeometry::PixelBox RayGeometry::visiblePixels() const {
             limited(std::floor(low[1]) - 1.0, m_height), limited(std::ceil(high[1]) + 2.0, m_height)};
 }
 
+double RayGeometry::widestPixelMm(const VolumeGeometry& geometry) const {
+    const double pixel = std::max(length(m_perColumn), length(m_perRow));
+    return m_parallel ? pixel : pixel * std::max(geometry.depthsAlong(m_forward).farthest - m_eyeDepth, 0.0);
+}
+
 Ray RayGeometry::rayThrough(int column, int row) const {
     RayBundle<1> bundle;
-    fill(bundle, column, row, 1);
+    fill(bundle, {column}, {row});
     Ray ray;
     for (int axis = 0; axis < 3; ++axis) {
         ray.origin[axis] = bundle.origin[axis][0];

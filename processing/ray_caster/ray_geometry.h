@@ -81,16 +81,20 @@ public:
 
     [[nodiscard]] Ray rayThrough(int column, int row) const;
 
-    /// Lane i becomes the ray through pixel (column + i % columns, row + i / columns). It is inlined into the kernels,
-    /// each compiled for one instruction set, so that its loops over lanes become vectors of that set.
+    /// Lane i becomes the ray through pixel (column[i], row[i]). It is inlined into the kernels, each compiled for one
+    /// instruction set, so that its loops over lanes become vectors of that set.
     template <int lanes>
-    __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, int column, int row, int columns) const;
+    __attribute__((always_inline)) inline void fill(RayBundle<lanes>& bundle, const int (&column)[lanes],
+                                                    const int (&row)[lanes]) const;
 
     /// Pixels outside [firstColumn, lastColumn) x [firstRow, lastRow) show nothing of the rendered region.
     struct PixelBox {
         int firstColumn, lastColumn, firstRow, lastRow;
     };
     [[nodiscard]] PixelBox visiblePixels() const;
+
+    /// The distance of the rays of neighbouring pixels, mm, where it is largest in the volume's box.
+    [[nodiscard]] double widestPixelMm(const VolumeGeometry& geometry) const;
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
@@ -103,11 +107,11 @@ private:
     };
     void limit(const VolumeGeometry& geometry, const RayCastSettings& settings);
     template <int lanes>
-    __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, int column, int row,
-                                                           int columns) const;
+    __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, const int (&column)[lanes],
+                                                           const int (&row)[lanes]) const;
     template <int lanes>
-    __attribute__((always_inline)) inline void aimPerspective(RayBundle<lanes>& bundle, int column, int row,
-                                                              int columns) const;
+    __attribute__((always_inline)) inline void aimPerspective(RayBundle<lanes>& bundle, const int (&column)[lanes],
+                                                              const int (&row)[lanes]) const;
     /// Limits the rays, from `enter` on, to the box from m_low to m_high: sets enter and leave.
     template <int lanes>
     __attribute__((always_inline)) inline void clip(RayBundle<lanes>& bundle) const;
@@ -139,11 +143,11 @@ private:
 };
 
 template <int lanes>
-inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, const int (&column)[lanes],
+                                     const int (&row)[lanes]) const {
     for (int axis = 0; axis < 3; ++axis)
         for (int i = 0; i < lanes; ++i) {
-            const int across = i % columns, down = i / columns;
-            const double x = column + across, y = row + down;
+            const double x = column[i], y = row[i];
             bundle.origin[axis][i] =
                 (m_first[axis] + m_perColumn[axis] * x + m_perRow[axis] * y) * m_inverseSpacing[axis];
             bundle.step[axis][i] = m_step[axis];
@@ -156,10 +160,10 @@ inline void RayGeometry::aimParallel(RayBundle<lanes>& bundle, int column, int r
 }
 
 template <int lanes>
-inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, const int (&column)[lanes],
+                                        const int (&row)[lanes]) const {
     for (int i = 0; i < lanes; ++i) {
-        const int across = i % columns, down = i / columns;
-        const double x = column + across, y = row + down;
+        const double x = column[i], y = row[i];
         const double start[3] = {m_first[0] + m_perColumn[0] * x + m_perRow[0] * y,
                                  m_first[1] + m_perColumn[1] * x + m_perRow[1] * y,
                                  m_first[2] + m_perColumn[2] * x + m_perRow[2] * y};
@@ -179,11 +183,11 @@ inline void RayGeometry::aimPerspective(RayBundle<lanes>& bundle, int column, in
 }
 
 template <int lanes>
-inline void RayGeometry::fill(RayBundle<lanes>& bundle, int column, int row, int columns) const {
+inline void RayGeometry::fill(RayBundle<lanes>& bundle, const int (&column)[lanes], const int (&row)[lanes]) const {
     if (m_parallel)
-        aimParallel(bundle, column, row, columns);
+        aimParallel(bundle, column, row);
     else
-        aimPerspective(bundle, column, row, columns);
+        aimPerspective(bundle, column, row);
     clip(bundle);
     if (!m_halfSpaces.empty()) clipAtHalfSpaces(bundle);
     if (m_cutSurface) cutAtSurface(bundle);

@@ -140,6 +140,28 @@ private slots:
         QVERIFY(costOf(back, unlitCost) <= 33 && back.width / back.step >= 0.9 * fine);
     }
 
+    void pixelsThatAreInterpolatedCostNothing() {
+        RayCastSettings asked;
+        asked.width = 1600;
+        asked.height = 1000;
+        const double costPerSample = 33.0 / (1600 * 1000);
+        const auto shownWith = [&](double share) {
+            PreviewQuality quality(33);
+            std::size_t chosen = firstQuality;
+            for (int frame = 0; frame < 8; ++frame) {
+                chosen = quality.qualityInMotion(asked);
+                const RayCastSettings shown = settingsAt(chosen, asked);
+                const double cast = shown.pixelTolerance > 0.0 ? share : 1.0;
+                quality.sampled(shown, costOf(shown, costPerSample) * cast, cast);
+            }
+            return chosen;
+        };
+        // If a third of the rays is cast, high quality keeps within the frame, but not the converged picture, which
+        // needs all rays.
+        QVERIFY(shownWith(1.0) > highQuality);
+        QCOMPARE(shownWith(0.33), highQuality);
+    }
+
     void withinASeriesOfEditsTheQualityStays() {
         const RayCastSettings asked;
         PreviewQuality quality(30);

@@ -19,8 +19,6 @@ double samplesOf(const RayCastSettings& settings) {
 /// Whether a picture needs a light volume.
 bool isLit(const RayCastSettings& settings) { return settings.shading && settings.shading->asksWhatReaches(); }
 
-double samplesAt(std::size_t quality, const RayCastSettings& asked) { return samplesOf(settingsAt(quality, asked)); }
-
 void learn(double& cost, double measured) {
     cost = cost > 0.0 ? cost + newestMeasureShare * (measured - cost) : measured;
 }
@@ -43,8 +41,9 @@ std::size_t qualityWithin(double budget, std::size_t quality, const Reluctance& 
 
 }  // namespace
 
-void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds) {
-    learn(costOf(settings).sampling, milliseconds / samplesOf(settings));
+void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds, double castShare) {
+    learn(costOf(settings).sampling, milliseconds / (samplesOf(settings) * castShare));
+    if (settings.pixelTolerance > 0.0) m_castShare = castShare;
 }
 
 void PreviewQuality::reclassified(const RayCastSettings& settings, double milliseconds) {
@@ -72,15 +71,15 @@ double PreviewQuality::budgetMilliseconds() const { return std::max(m_frame - m_
 
 std::size_t PreviewQuality::qualityInMotion(const RayCastSettings& asked) {
     m_samplesNotKept = std::numeric_limits<double>::infinity();  // another view has other samples
-    if (const double cost = samplingCost(asked); cost > 0.0)
+    if (samplingCost(asked) > 0.0)
         m_motionQuality = qualityWithin(budgetFor(asked), m_motionQuality, usual,
-                                        [&](std::size_t quality) { return cost * samplesAt(quality, asked); });
+                                        [&](std::size_t quality) { return samplingTime(quality, asked); });
     return m_motionQuality;
 }
 
 std::size_t PreviewQuality::qualityAlone(const RayCastSettings& asked) {
     const std::size_t inMotion = qualityInMotion(asked), atRest = convergedQuality + 1;
-    const double cost = samplingCost(asked) * samplesAt(atRest, asked);
+    const double cost = samplingTime(atRest, asked);
     return cost > 0.0 && cost <= aloneFrames * m_frame ? std::min(inMotion, atRest) : inMotion;
 }
 
@@ -98,8 +97,14 @@ double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
     return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
 }
 
+double PreviewQuality::samplingTime(std::size_t quality, const RayCastSettings& asked) const {
+    const RayCastSettings settings = settingsAt(quality, asked);
+    // The more pixels, the smaller is the share: for more pixels than were measured, this is too much at most.
+    return samplingCost(asked) * samplesOf(settings) * (settings.pixelTolerance > 0.0 ? m_castShare : 1.0);
+}
+
 double PreviewQuality::editCost(std::size_t quality, const RayCastSettings& asked) {
-    const double samples = samplesAt(quality, asked);
+    const double samples = samplesOf(settingsAt(quality, asked));
     const double sampling = samplingCost(asked) * samples;
     if (samples >= m_samplesNotKept) return sampling;
     if (sampling > warmUpFrames * m_frame) return std::max(sampling, 2.0 * m_frame);

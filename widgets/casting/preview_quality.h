@@ -22,8 +22,8 @@ public:
     /// `frameMilliseconds` is the time from one picture to the next while the hand moves.
     explicit PreviewQuality(double frameMilliseconds = 33.0) : m_frame(frameMilliseconds) {}
 
-    /// Learns the time of a picture whose samples had to be taken.
-    void sampled(const RayCastSettings& settings, double milliseconds);
+    /// Learns the time of a picture whose samples had to be taken, with rays through this share of its pixels.
+    void sampled(const RayCastSettings& settings, double milliseconds, double castShare = 1.0);
     /// Learns the time of a picture that was made from kept samples.
     void reclassified(const RayCastSettings& settings, double milliseconds);
     /// Learns that the caster could not keep as many samples as these settings need.
@@ -61,6 +61,8 @@ private:
     [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
     /// Measured, or guessed from the other kind; 0 if neither was measured.
     [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
+    /// The time for the rays of a picture whose samples are taken.
+    [[nodiscard]] double samplingTime(std::size_t quality, const RayCastSettings& asked) const;
     /// The time for the rays of a picture, without its light volume.
     [[nodiscard]] double budgetFor(const RayCastSettings& asked) const;
     [[nodiscard]] double editCost(std::size_t quality, const RayCastSettings& asked);
@@ -69,6 +71,7 @@ private:
     Cost m_unshaded, m_shaded;
     double m_drawing = 0.0, m_light = 0.0;  // ms
     int m_drawn = 0;
+    double m_castShare = 1.0;  ///< of the newest picture that may have interpolated pixels
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
     std::size_t m_motionQuality = firstQuality;
     std::size_t m_editQuality = firstQuality;

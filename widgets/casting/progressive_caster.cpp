@@ -159,7 +159,7 @@ void ProgressiveCaster::learn(const CastPicture& picture, const CastResult& resu
         if (m_newest && sameSamples(*m_newest, picture.request)) m_keptQuality = picture.quality;
         m_quality.reclassified(picture.settings, casting);
     } else {
-        m_quality.sampled(picture.settings, casting);
+        m_quality.sampled(picture.settings, casting, result.castShare);
     }
     if (result.samples == SampleUse::notKept) m_quality.couldNotKeep(picture.settings);
 }

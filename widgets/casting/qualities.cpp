@@ -12,6 +12,7 @@ RayCastSettings settingsAt(std::size_t quality, const RayCastSettings& asked) {
     settings.height = std::max(1, static_cast<int>(std::lround(asked.height / chosen.reduction)));
     settings.step = asked.step * chosen.step;
     settings.terminationTransmittance = chosen.terminationTransmittance;
+    settings.pixelTolerance = chosen.pixelTolerance;
     // Pictures shown at rest have the same light, so that light and shade do not move from one picture to the next.
     if (!chosen.atRest) settings.lightCoarseness = 2 * asked.lightCoarseness;
     return settings;

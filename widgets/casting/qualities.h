@@ -16,6 +16,7 @@ struct Quality {
     double step = 1.0;       ///< between samples, times the step of the picture's look (Look::step)
     bool atRest = false;     ///< shown on the way to the converged picture when the hand rests
     double terminationTransmittance = 1.0 / 128;  ///< as in RayCastSettings
+    double pixelTolerance = 0.5;                  ///< as in RayCastSettings
     friend bool operator==(const Quality&, const Quality&) = default;
 };
 
@@ -28,7 +29,7 @@ struct Quality {
 /// step 1, and 2.1 and 24 at 1.5. Previews drop rays before they lengthen steps: with steps of 2 units or more, the
 /// steep curve of quiet voxels shows rings. docs/rendering.md gives the reasons for these settings.
 inline constexpr std::array<Quality, 11> qualities{{
-    {"converged", 1.0, convergedStep, true, convergedTransmittance},
+    {"converged", 1.0, convergedStep, true, convergedTransmittance, 0.0},
     {"high quality", 1.0, 0.75, true},
     {"preview", 1.0, 1.0},
     {"preview", 1.0, 1.5},

@@ -20,6 +20,7 @@ public:
         prepare(request);
         CastResult made;
         std::size_t cast = 0, alike = 0;
+        double shares = 0.0;
         for (std::size_t i = 0; i < m_panes.size(); ++i) {
             Pane& pane = m_panes[i];
             const PaneRequest& asked = request.panes[i];
@@ -32,10 +33,12 @@ public:
             if (stays) continue;
             ++cast;
             made.lightMilliseconds += pane.caster->lightMilliseconds();
+            shares += pane.caster->castShare();
             const SampleUse use = pane.caster->sampleUse();
             alike += made.samples.value_or(use) == use ? 1 : 0;
             made.samples = use;
         }
+        if (cast > 0) made.castShare = shares / static_cast<double>(cast);
         if (alike < cast || (cast < m_panes.size() && made.samples != SampleUse::kept)) made.samples.reset();
         return made;
     }

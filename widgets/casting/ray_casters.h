@@ -19,6 +19,7 @@ struct CastResult {
     /// No value either if a pane stayed while others took new samples, because the time then does not tell a picture's
     /// cost.
     std::optional<SampleUse> samples{};
+    double castShare = 1.0;          ///< RayCaster::castShare(), the mean of the panes that were cast
     double lightMilliseconds = 0.0;  ///< for all panes' light volumes; independent of the picture's size
 };
 

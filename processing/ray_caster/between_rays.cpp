@@ -1,0 +1,99 @@
+#include "processing/ray_caster/between_rays.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "processing/parallel.h"
+
+namespace echolucent::ray_casting {
+
+namespace {
+
+constexpr std::ptrdiff_t channels = 4;
+
+/// Makes `out` the mean of the pixels b and c, where a and d are the next ones on either side. False if the mean may
+/// err by more than an eighth of `most`.
+bool fillMiddle(const float* a, const float* b, const float* c, const float* d, float most, float* out) {
+    float largest = 0.0f;
+    for (std::ptrdiff_t i = 0; i < channels; ++i) {
+        const float before = std::abs(a[i] - 2.0f * b[i] + c[i]), behind = std::abs(b[i] - 2.0f * c[i] + d[i]);
+        largest = std::max(largest, std::max(before, behind));
+    }
+    if (!(largest <= most)) return false;
+    for (std::ptrdiff_t i = 0; i < channels; ++i) out[i] = 0.5f * (b[i] + c[i]);
+    return true;
+}
+
+}  // namespace
+
+PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, double tolerance) {
+    const std::ptrdiff_t width = picture.width, height = picture.height;
+    const auto most = static_cast<float>(8.0 * tolerance / 255.0);
+    PixelsLeft left{std::vector<std::uint8_t>(static_cast<std::size_t>(width * height)), 0};
+    std::atomic<std::size_t> count = 0;
+    const auto pixel = [&](std::ptrdiff_t column, std::ptrdiff_t row) {
+        return picture.rgba.data() + (row * width + column) * channels;
+    };
+    const auto forRows = [&](std::ptrdiff_t first, std::ptrdiff_t apart, const auto& visit) {
+        const std::ptrdiff_t rows = std::max<std::ptrdiff_t>(0, (box.lastRow - first + apart - 1) / apart);
+        parallelFor(LoopRange<std::ptrdiff_t>(0, rows, 16), [&](const auto& range) {
+            std::size_t here = 0;
+            for (std::ptrdiff_t i = range.begin(); i < range.end(); ++i) here += visit(first + i * apart);
+            count += here;
+        });
+    };
+    const std::ptrdiff_t firstColumn = box.firstColumn / raysApart * raysApart,
+                         firstRow = box.firstRow / raysApart * raysApart;
+    const auto choose = [&](std::ptrdiff_t column, std::ptrdiff_t row, bool filled) {
+        left.chosen[static_cast<std::size_t>(row * width + column)] = filled ? 0 : 1;
+        return std::size_t{filled ? 0U : 1U};
+    };
+    // Even rows hold rays in even columns, odd rows hold none yet.
+    forRows(firstRow, raysApart, [&](std::ptrdiff_t row) {
+        std::size_t chosen = 0;
+        for (std::ptrdiff_t column = firstColumn + 1; column < box.lastColumn; column += raysApart) {
+            const std::ptrdiff_t before = column - 1, behind = column + 1;
+            const bool filled =
+                behind < width &&
+                fillMiddle(pixel(std::max<std::ptrdiff_t>(before - raysApart, 0), row), pixel(before, row),
+                           pixel(behind, row), pixel(behind + raysApart < width ? behind + raysApart : behind, row),
+                           most, pixel(column, row));
+            chosen += choose(column, row, filled);
+        }
+        return chosen;
+    });
+    forRows(firstRow + 1, raysApart, [&](std::ptrdiff_t row) {
+        std::size_t chosen = 0;
+        const std::ptrdiff_t before = row - 1, behind = row + 1;
+        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(before - raysApart, 0),
+                             last = behind + raysApart < height ? behind + raysApart : behind;
+        for (std::ptrdiff_t column = firstColumn; column < box.lastColumn; column += raysApart) {
+            const bool filled =
+                behind < height && fillMiddle(pixel(column, first), pixel(column, before), pixel(column, behind),
+                                              pixel(column, last), most, pixel(column, row));
+            chosen += choose(column, row, filled);
+        }
+        return chosen;
+    });
+    const auto isLeft = [&](std::ptrdiff_t column, std::ptrdiff_t row) {
+        return column >= width || row >= height || left.chosen[static_cast<std::size_t>(row * width + column)] != 0;
+    };
+    forRows(firstRow + 1, raysApart, [&](std::ptrdiff_t row) {
+        std::size_t chosen = 0;
+        for (std::ptrdiff_t column = firstColumn + 1; column < box.lastColumn; column += raysApart) {
+            const bool filled = !isLeft(column, row - 1) && !isLeft(column - 1, row) && !isLeft(column, row + 1) &&
+                                !isLeft(column + 1, row);
+            if (filled)
+                for (std::ptrdiff_t i = 0; i < channels; ++i)
+                    pixel(column, row)[i] = 0.25f * (pixel(column - 1, row - 1)[i] + pixel(column + 1, row - 1)[i] +
+                                                     pixel(column - 1, row + 1)[i] + pixel(column + 1, row + 1)[i]);
+            chosen += choose(column, row, filled);
+        }
+        return chosen;
+    });
+    left.count = count;
+    return left;
+}
+
+}  // namespace echolucent::ray_casting
