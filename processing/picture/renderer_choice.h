@@ -9,9 +9,9 @@
 namespace echolucent {
 
 enum class RendererChoice {
-    automatic,     ///< the graphics card if a real one can show the look, else the software
+    automatic,     ///< the graphics card if a real one can draw the volume, else the software
     software,      ///< castRays(), on the processor
-    graphicsCard,  ///< VTK's GPU mapper, through OpenGL, even if OpenGL is software
+    graphicsCard,  ///< the same rays through OpenGL, even if OpenGL is software
 };
 
 inline constexpr ChoiceNames<3> rendererNames{"automatic", "software", "graphicsCard"};

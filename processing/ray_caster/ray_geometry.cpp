@@ -142,6 +142,14 @@ double RayGeometry::widestPixelMm(const VolumeGeometry& geometry) const {
     return m_parallel ? pixel : pixel * std::max(geometry.depthsAlong(m_forward).farthest - m_eyeDepth, 0.0);
 }
 
+RayPlan RayGeometry::plan() const {
+    RayPlan plan{m_parallel, m_first, m_perColumn, m_perRow,     m_step,      m_eye,      m_forward,
+                 m_low,      m_high,  m_stepMm,    m_startDepth, m_nearDepth, m_eyeDepth, m_halfSpaces};
+    if (!m_parallel) return plan;
+    for (Vec3* way : {&plan.first, &plan.perColumn, &plan.perRow}) *way = way->mul(m_inverseSpacing);
+    return plan;
+}
+
 Ray RayGeometry::rayThrough(int column, int row) const {
     RayBundle<1> bundle;
     fill(bundle, {column}, {row});

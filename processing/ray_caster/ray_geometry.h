@@ -72,6 +72,25 @@ struct RayBundle {
     }
 };
 
+/// The places with offset + normal . (voxel position) >= 0.
+struct HalfSpace {
+    Vec3 normal;
+    double offset;
+};
+
+/// The numbers from which RayGeometry aims and limits rays, for a graphics card that does the same. What bowed fronts
+/// leave of the rays is not told.
+struct RayPlan {
+    bool parallel = true;
+    Vec3 first, perColumn, perRow;  ///< parallel: voxels; in perspective a direction of any length, grid mm
+    Vec3 step;                      ///< parallel: voxels
+    Vec3 eye, forward;              ///< grid mm
+    Vec3 low, high;                 ///< voxels
+    double stepMm = 1.0;
+    double startDepth = 0.0, nearDepth = 0.0, eyeDepth = 0.0;  ///< mm, as the members of RayGeometry
+    std::vector<HalfSpace> halfSpaces;
+};
+
 /// The rays of one picture.
 class RayGeometry {
 public:
@@ -98,13 +117,9 @@ public:
 
     [[nodiscard]] bool parallel() const { return m_parallel; }
     [[nodiscard]] double stepMm() const { return m_stepMm; }
+    [[nodiscard]] RayPlan plan() const;
 
 private:
-    /// The places with offset + normal . (voxel position) >= 0. Only they may be rendered.
-    struct HalfSpace {
-        Vec3 normal;
-        double offset;
-    };
     void limit(const VolumeGeometry& geometry, const RayCastSettings& settings);
     template <int lanes>
     __attribute__((always_inline)) inline void aimParallel(RayBundle<lanes>& bundle, const int (&column)[lanes],
@@ -136,9 +151,9 @@ private:
     Vec3 m_eye, m_forward;  ///< grid mm
     Vec3 m_right, m_down;
     Vec3 m_inverseSpacing;
-    Vec3 m_step, m_perStep;  ///< the step of every parallel ray, voxels, and 1 / step
-    Vec3 m_low, m_high;      ///< voxels; rendered part of the volume's box
-    std::vector<HalfSpace> m_halfSpaces;
+    Vec3 m_step, m_perStep;               ///< the step of every parallel ray, voxels, and 1 / step
+    Vec3 m_low, m_high;                   ///< voxels; rendered part of the volume's box
+    std::vector<HalfSpace> m_halfSpaces;  ///< only in all of them something may be rendered
     std::optional<CutSurface> m_cutSurface;
 };
 

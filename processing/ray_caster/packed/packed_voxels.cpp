@@ -11,15 +11,13 @@ namespace echolucent::ray_casting {
 
 namespace {
 
-/// A voxel as the kernel interpolates it: a float becomes its table position. Differences of packed values, and the
-/// squares of gradients, must be finite.
+/// A voxel as the kernel interpolates it: a float becomes its table position.
 template <typename Voxel>
 struct Packing {
     double floatsToTable;
 
     Voxel operator()(Voxel value) const {
-        if constexpr (std::is_same_v<Voxel, float>)
-            return static_cast<float>(std::clamp(static_cast<double>(value) * floatsToTable, -1e15, 1e15));
+        if constexpr (std::is_same_v<Voxel, float>) return positionOfFloat(value, floatsToTable);
         return value;
     }
 };

@@ -1,6 +1,7 @@
 // The voxels of a volume in the kernel's order.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 
@@ -8,6 +9,12 @@
 #include "processing/volume/volume.h"
 
 namespace echolucent::ray_casting {
+
+/// The table position of a float voxel, kept within bounds: differences of positions, and the squares of gradients,
+/// must be finite. `floatsToTable` is TransferTable::intervals / white level.
+[[nodiscard]] inline float positionOfFloat(float value, double floatsToTable) {
+    return static_cast<float>(std::clamp(static_cast<double>(value) * floatsToTable, -1e15, 1e15));
+}
 
 /// Packs a volume in one pass. Floats are stored as table positions (see transfer_table.h), since their white level may
 /// be of any magnitude.

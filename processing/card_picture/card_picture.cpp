@@ -1,0 +1,55 @@
+#include "processing/card_picture/card_picture.h"
+
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <variant>
+
+namespace echolucent {
+
+namespace {
+
+constexpr std::int64_t bytesOfPixel = 4 * sizeof(float) + sizeof(float);  // colour and depth, in single precision
+
+std::int64_t bytesOfVoxel(const Volume& volume) {
+    return std::visit(
+        [](const auto& stored) { return std::int64_t{sizeof(typename std::decay_t<decltype(stored)>::value_type)}; },
+        volume.voxels());
+}
+
+}  // namespace
+
+std::int64_t bytesOnCard(const CardPicture& picture) {
+    const Volume& filled = picture.scan->filled;
+    const std::int64_t voxels = filled.geometry().voxelCount();
+    const std::int64_t pixels = std::int64_t{picture.settings.width} * picture.settings.height;
+    std::int64_t bytes = voxels * bytesOfVoxel(filled) + pixels * bytesOfPixel;
+    if (picture.presence) bytes += voxels;
+    if (picture.gradients) bytes += voxels;
+    if (picture.surface) bytes += static_cast<std::int64_t>(picture.surface->depthMm.size() * sizeof(float));
+    if (picture.light) bytes += static_cast<std::int64_t>(picture.light->reaching.size());
+    if (picture.bricks) bytes += static_cast<std::int64_t>(picture.bricks->distances.size());
+    return bytes;
+}
+
+std::int64_t bytesOnCard(const Volume& volume, int width, int height) {
+    const std::int64_t voxels = volume.geometry().voxelCount(), pixels = std::int64_t{width} * height;
+    // A light volume has at most two bytes for each voxel. Only a pass over floats would tell whether all are finite.
+    const bool mayLackData = !volume.dataMask().empty() || std::holds_alternative<VoxelArray<float>>(volume.voxels());
+    const std::int64_t each = bytesOfVoxel(volume) + 2 + (mayLackData ? 1 : 0);
+    return voxels * each + pixels * bytesOfPixel;
+}
+
+double levelsBetween(const Picture& one, const Picture& other) {
+    constexpr double nowhere = std::numeric_limits<double>::infinity();
+    if (one.rgba.size() != other.rgba.size() || one.rgba.empty()) return nowhere;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < one.rgba.size(); ++i) {
+        const double difference = static_cast<double>(one.rgba[i]) - static_cast<double>(other.rgba[i]);
+        squares += difference * difference;
+    }
+    const double levels = 255.0 * std::sqrt(squares / static_cast<double>(one.rgba.size()));
+    return std::isfinite(levels) ? levels : nowhere;
+}
+
+}  // namespace echolucent
