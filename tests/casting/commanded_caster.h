@@ -97,13 +97,14 @@ struct Setup {
         made.settings.camera.frame = frameOf({BeamAxis::plusZ, 90 * level, 0, 0});
         return made;
     }
-    CommandedCaster commands;
+    CommandedCaster commands, cardCommands;
     std::shared_ptr<const Volume> volume = volumeOf(geometryOf(2, 2, 2), [](double, double, double) { return 9; });
     std::vector<std::shared_ptr<const CastPicture>> delivered;
     Works works;
     ProgressiveCaster caster{
         works, PreviewQuality{0.0},  // no budget: a preview always comes first
-        [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); }};
+        [this](const PictureRequest& request, const Progress& progress) { return commands(request, progress); },
+        [this](const PictureRequest& request, const Progress& progress) { return cardCommands(request, progress); }};
 };
 
 }  // namespace echolucent

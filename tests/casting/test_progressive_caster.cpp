@@ -42,6 +42,42 @@ private slots:
         QCOMPARE(s.commands.started(), 3);
     }
 
+    void forACardItIsPreparedInMotionAndAtRest() {
+        Setup s;
+        s.caster.request(s.request(0.5), true);
+        QTRY_COMPARE_WITH_TIMEOUT(s.delivered.size(), std::size_t{2}, patience);
+        QCOMPARE(s.commands.started(), 0);  // nothing is cast
+        const std::vector<RayCastSettings> made = s.cardCommands.startedSettings();
+        QCOMPARE(made.size(), std::size_t{2});
+        QCOMPARE(made[0].width, 120);
+        QCOMPARE(made[0].step, qualities[qualityForCard].step);
+        QCOMPARE(made[0].lightCoarseness, 2 * made[1].lightCoarseness);
+        QVERIFY(s.delivered[0]->byCard && s.delivered[0]->followsHand && !s.delivered[0]->converged());
+        QVERIFY(s.delivered[1]->byCard && s.delivered[1]->converged());
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        s.caster.request(s.request(0.5), true);
+        QVERIFY(!s.caster.busy());
+        // The other renderer makes the same picture, and what was made for the card is let go.
+        s.caster.request(s.request(0.5), false);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QVERIFY(!s.delivered.back()->byCard && s.delivered.back()->converged());
+        QCOMPARE(s.cardCommands.lettingGo(), 1);
+        QCOMPARE(s.commands.lettingGo(), 0);
+        QCOMPARE(s.cardCommands.started(), 2);
+    }
+
+    void whatACardWasToDrawIsNotShownAfterASwitch() {
+        Setup s;
+        s.cardCommands.hold();
+        s.caster.request(s.request(0.5), true);
+        QTRY_COMPARE_WITH_TIMEOUT(s.cardCommands.started(), 1, patience);
+        s.caster.request(s.request(0.5), false);
+        s.cardCommands.letGo();
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QVERIFY(!s.delivered.empty());
+        for (const auto& picture : s.delivered) QVERIFY(!picture->byCard);
+    }
+
     void theStepOfTheLookCounts() {
         Setup s;
         PictureRequest fine = s.request(0.5);

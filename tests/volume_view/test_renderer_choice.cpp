@@ -1,14 +1,81 @@
-// Who renders: the choice, what OpenGL says about itself, and volumes that the graphics card cannot take.
+// Who renders: the choice, what OpenGL says about itself, and cards that fail in every way that a test can feign.
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkVolumeProperty.h>
+#include <vtkOutputWindow.h>
 #include <QTest>
 
+#include "processing/card_picture/card_pictures.h"
+#include "processing/ray_caster/ray_caster.h"
 #include "tests/qt_program/test_classes.h"
 #include "tests/volume_view/drawn_scene.h"
-#include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
+#include "widgets/volume_view/scene/graphics_card/card_answers.h"
 
 using namespace echolucent;
 using namespace echolucent::testing;
+
+namespace {
+
+constexpr int pixelsOfScene = 40;
+
+/// What a card answers in the place of the one there is.
+struct FeignedCard {
+    std::string name = "A card";
+    std::int64_t freeBytes = -1;
+    CardError error = CardError::none;
+    bool drawsWrongly = false, compiles = true;
+    int asked = 0, checked = 0;
+
+    CardAnswers answers() {
+        CardAnswers answers;
+        answers.describe = [this](vtkOpenGLRenderWindow&) {
+            ++asked;
+            return GraphicsCard{name, 2048, freeBytes};
+        };
+        answers.error = [this](vtkOpenGLRenderWindow& window) {
+            (void)newestCardError(window);
+            return error;
+        };
+        answers.shaderSource = [this](std::string source) { return compiles ? source : source + "no word of GLSL"; };
+        answers.drewKnownPicture = [this](Picture picture) {
+            ++checked;
+            if (drawsWrongly)
+                for (float& value : picture.rgba) value *= 0.8f;
+            return picture;
+        };
+        return answers;
+    }
+};
+
+/// A scene whose software picture is red.
+struct CardScene {
+    explicit CardScene(FeignedCard& card) : drawn(pixelsOfScene, pixelsOfScene) {
+        drawn.scene.setCardAnswers(card.answers());
+        drawn.scene.setVolume(volume);
+        settings.width = settings.height = pixelsOfScene;
+        settings.camera = cameraOn(*volume, {});
+        drawn.scene.show(
+            std::make_shared<const ScreenPicture>(plainPicture(pixelsOfScene, pixelsOfScene, {200, 0, 0, 255})),
+            settings.camera);
+        drawn.draw();
+    }
+    void drawByCard() {
+        drawn.scene.show(
+            std::make_shared<const CardPicture>(CardPictures(volume).make(PowerCurve{1, 1.0}, settings).value()),
+            known);
+        drawn.draw();
+    }
+    [[nodiscard]] bool showsSoftware() { return drawn.at(20, 20) == Level{200, 0, 0}; }
+    [[nodiscard]] bool isByCard() const { return drawn.scene.rendererInUse() == RendererChoice::graphicsCard; }
+    [[nodiscard]] bool says(const char* words) const {
+        const std::string why = drawn.scene.whySoftware();
+        return why.find(words) != std::string::npos && why.back() == '.' && why.find(". ") == std::string::npos;
+    }
+    std::shared_ptr<const Volume> volume = ballInTheCorner();
+    std::shared_ptr<const KnownCardPicture> known = std::make_shared<const KnownCardPicture>(knownCardPicture());
+    RayCastSettings settings;
+    DrawnScene drawn;
+};
+
+}  // namespace
 
 class RendererChoiceTest : public QObject {
     Q_OBJECT
@@ -26,10 +93,6 @@ private slots:
         QCOMPARE(drawn.scene.whySoftware().empty(), !software);
         drawn.scene.setRenderer(RendererChoice::graphicsCard);
         QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::graphicsCard);
-        RayCastSettings look;
-        look.clippingPlanes.resize(9);
-        QCOMPARE(drawn.scene.rendererFor(look), RendererChoice::software);
-        QVERIFY(!drawn.scene.whySoftware(look).empty());
         drawn.scene.setRenderer(RendererChoice::software);
         QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::software);
         QVERIFY(drawn.scene.whySoftware().empty());  // it was the choice
@@ -65,39 +128,115 @@ private slots:
         QVERIFY(whyTooLarge(geometry, std::int64_t{101} << 20, card).find("101 MB") != std::string::npos);
         QVERIFY(whyTooLarge(geometry, std::int64_t{101} << 20, GraphicsCard{"silent", 2048, -1}).empty());
 
-        // The real one: longer than any card's texture side.
-        const auto volume = volumeOf(geometryOf(40000, 1, 1), [](double, double, double) { return 100; });
-        DrawnScene drawn(40, 40);
-        drawn.scene.setRenderer(RendererChoice::graphicsCard);
-        drawn.draw();
-        drawn.scene.setVolume(volume);
-        QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::software);
-        QVERIFY(drawn.scene.whySoftware().find("40000") != std::string::npos);
-        RayCastSettings settings;
-        settings.camera = cameraOn(*volume, {});
-        drawn.scene.show(std::make_shared<const ScreenPicture>(plainPicture(40, 40, {50, 0, 0, 255})), settings.camera);
-        drawn.draw();
-        QCOMPARE(drawn.at(20, 20), (Level{50, 0, 0}));
-        drawn.scene.setVolume(ballInTheCorner());
-        QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::graphicsCard);  // the next volume fits
+        FeignedCard small{.freeBytes = 100000};
+        CardScene scene(small);
+        QVERIFY(!scene.isByCard());  // 46,080 voxels, their light and the picture need more
+        QVERIFY(scene.says("of its memory"));
+        FeignedCard narrow;
+        CardScene other(narrow);
+        QVERIFY(other.isByCard());
+        other.drawn.scene.setVolume(volumeOf(geometryOf(2049, 1, 1), [](double, double, double) { return 100; }));
+        QVERIFY(!other.isByCard() && other.says("2049"));
+        other.drawn.scene.setVolume(other.volume);
+        QVERIFY(other.isByCard());  // the next volume fits
     }
 
-    void aDrawingThatFailsSaysWhyAndDrawsNothing() {
-        // Past the scene's own check: what it cannot know is found out when the volume is handed over.
-        const auto volume = volumeOf(geometryOf(40000, 1, 1), [](double, double, double) { return 100; });
-        DrawnScene drawn(40, 40);
-        drawn.draw();
-        GraphicsCardVolume card;
-        card.setVolume(volume);
-        vtkNew<vtkVolumeProperty> property;
-        RayCastSettings settings;
-        settings.camera = cameraOn(*volume, {});
-        setTransfer(*property, *volume, PowerCurve{2, 1.0}, ColourMap::sepia);
-        card.setLook(settings, *property);
-        card.draw(*drawn.scene.renderer(), *vtkOpenGLRenderWindow::SafeDownCast(drawn.window));
-        QVERIFY(!card.failure().empty());
-        card.setVolume(ballInTheCorner());
-        QVERIFY(card.failure().empty());
+    void aCardThatDrawsRightlyDraws() {
+        FeignedCard card;
+        CardScene scene(card);
+        QVERIFY(scene.isByCard());
+        scene.drawByCard();
+        QVERIFY(scene.isByCard() && scene.drawn.scene.whySoftware().empty());
+        QVERIFY(!scene.showsSoftware());
+        QCOMPARE(card.checked, 1);
+        scene.settings.step = 0.9;
+        scene.drawByCard();
+        QCOMPARE(card.checked, 1);  // once
+        QCOMPARE(card.asked, 1);
+    }
+
+    void aCardThatDrawsWronglyIsNotUsed() {
+        FeignedCard card{.drawsWrongly = true};
+        CardScene scene(card);
+        QVERIFY(scene.isByCard());  // nobody knows yet
+        scene.drawByCard();
+        QVERIFY(!scene.isByCard());
+        QVERIFY2(scene.says("known"), scene.drawn.scene.whySoftware().c_str());
+        QVERIFY(scene.showsSoftware());  // nothing is lost
+        scene.drawn.scene.setVolume(scene.volume);
+        scene.drawn.scene.setRenderer(RendererChoice::graphicsCard);
+        QVERIFY(!scene.isByCard());  // it gets no other chance
+    }
+
+    void anotherCardIsAskedAndCheckedAnew() {
+        FeignedCard card;
+        CardScene scene(card);
+        scene.drawByCard();
+        QCOMPARE(card.checked, 1);
+        // The window moves to a screen of another card, which draws wrongly.
+        card.name = "Another card";
+        card.drawsWrongly = true;
+        scene.drawn.scene.forgetCard();
+        scene.drawn.draw();
+        QCOMPARE(scene.drawn.scene.openGlRenderer(), std::string("Another card"));
+        QCOMPARE(card.checked, 2);
+        QVERIFY(!scene.isByCard() && scene.says("known"));
+        // And back.
+        card.name = "A card";
+        card.drawsWrongly = false;
+        scene.drawn.scene.forgetCard();
+        scene.drawn.draw();
+        QVERIFY(scene.isByCard());
+        scene.drawByCard();
+        QCOMPARE(card.checked, 3);
+        QVERIFY(scene.isByCard());
+    }
+
+    void aNewContextIsCheckedAnewAndShowsThePictureAgain() {
+        FeignedCard card;
+        CardScene scene(card);
+        scene.drawByCard();
+        const Level before = scene.drawn.at(11, 9);
+        scene.drawn.window->Finalize();  // the context ends, and with it all textures
+        scene.drawn.draw();
+        QCOMPARE(card.checked, 2);
+        QVERIFY(scene.isByCard());
+        QCOMPARE(scene.drawn.at(11, 9), before);
+    }
+
+    void failuresLeaveThePictureAndSayWhy_data() {
+        QTest::addColumn<CardError>("error");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("memory refused") << CardError::outOfMemory << "too little memory";
+        QTest::newRow("context lost") << CardError::contextLost << "was lost";
+        QTest::newRow("another error") << CardError::other << "error";
+    }
+    void failuresLeaveThePictureAndSayWhy() {
+        QFETCH(CardError, error);
+        QFETCH(QString, words);
+        FeignedCard card;
+        CardScene scene(card);
+        card.error = error;
+        scene.drawByCard();
+        QVERIFY(!scene.isByCard());
+        QVERIFY2(scene.says(qPrintable(words)), scene.drawn.scene.whySoftware().c_str());
+        QVERIFY(scene.showsSoftware());
+        // The next volume, or the person's choice, gives the card another chance.
+        card.error = CardError::none;
+        scene.drawn.scene.setRenderer(RendererChoice::automatic);
+        QVERIFY(scene.isByCard());
+        scene.drawByCard();
+        QVERIFY2(scene.isByCard() && !scene.showsSoftware(), scene.drawn.scene.whySoftware().c_str());
+    }
+
+    void aDriverThatDoesNotUnderstandTheShaderIsNoTrouble() {
+        vtkObject::GlobalWarningDisplayOff();  // VTK would print the shader
+        FeignedCard card{.compiles = false};
+        CardScene scene(card);
+        scene.drawByCard();
+        vtkObject::GlobalWarningDisplayOn();
+        QVERIFY(!scene.isByCard() && scene.says("shader"));
+        QVERIFY(scene.showsSoftware());
     }
 };
 

@@ -13,8 +13,9 @@ constexpr int editRestMilliseconds = 150;  // longer than restMilliseconds: a ha
 constexpr int passedFrames = 2;            // of a motion, before one is cast in high quality; so the motion goes on
 }  // namespace
 
-ProgressiveCaster::ProgressiveCaster(Works& works, const PreviewQuality& quality, Cast cast)
+ProgressiveCaster::ProgressiveCaster(Works& works, const PreviewQuality& quality, Cast cast, Cast cardCast)
     : m_cast(std::move(cast)),
+      m_cardCast(std::move(cardCast)),
       m_quality(quality),
       m_frames(std::make_unique<KeptFrames>()),
       m_waits(works, {}),
@@ -55,9 +56,11 @@ bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
     return true;
 }
 
-void ProgressiveCaster::request(const PictureRequest& request) {
-    if (m_newest && samePicture(*m_newest, request)) return;
-    if (deliverKept(request)) return;
+void ProgressiveCaster::request(const PictureRequest& request, bool byCard) {
+    if (m_newest && m_byCard == byCard && samePicture(*m_newest, request)) return;
+    if (m_byCard != byCard) clear();  // so that not both keep what they make of a volume
+    m_byCard = byCard;
+    if (!byCard && deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
     // If another volume is asked for, the picture that is being cast is no quick picture of it. In a motion that
     // picture is a frame to keep.
@@ -73,6 +76,7 @@ void ProgressiveCaster::request(const PictureRequest& request) {
 }
 
 std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
+    if (m_byCard) return qualityForCard;
     // In a motion no hand waits: a frame is as fine as its time allows.
     if (m_playing) return m_quality.qualityAlone(request.settings);
     if (edited) {
@@ -98,7 +102,7 @@ void ProgressiveCaster::clear() {
     if (!m_playing) {
         m_thread.cancel();
         m_thread.submit(
-            [cast = m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
+            [cast = m_byCard ? m_cardCast : m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
                 cast({}, progress);
                 return {};
             },
@@ -115,27 +119,28 @@ void ProgressiveCaster::waitForRest(int milliseconds) {
 void ProgressiveCaster::refine() {
     m_inStream = false;
     if (m_startedQuality == convergedQuality) return;
-    start(nextAtRest(m_startedQuality), NewestWinsThread::WhenSuperseded::cancel);
+    start(m_byCard ? convergedQuality : nextAtRest(m_startedQuality), NewestWinsThread::WhenSuperseded::cancel);
 }
 
 void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded) {
     m_startedQuality = quality;
     const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
     m_startedQuick = followsHand;
-    auto make = [=, this, cast = m_cast, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
+    const Cast cast = m_byCard ? m_cardCast : m_cast;
+    auto make = [=, this, byCard = m_byCard, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
         const PictureRequest atQuality{asked->panes, settingsAt(quality, asked->settings)};
         const CastResult result = cast(atQuality, progress);
         if (result.panes.empty()) return {};
         const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
         auto finished = std::make_shared<const CastPicture>(
-            CastPicture{*asked, quality, atQuality.settings, result.panes, taken.count(), followsHand});
+            CastPicture{*asked, quality, atQuality.settings, result.panes, taken.count(), followsHand, byCard});
         return [this, finished, result] {
             learn(*finished, result);
             deliver(finished);
         };
     };
-    auto job = [this, cast = m_cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
+    auto job = [this, cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
         try {
             return make(progress);
         } catch (const std::bad_alloc&) {
@@ -165,8 +170,9 @@ void ProgressiveCaster::learn(const CastPicture& picture, const CastResult& resu
 }
 
 void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& picture) {
-    const bool newest = m_newest && samePicture(*m_newest, picture->request);
-    if (m_playing) {
+    const bool newest = m_newest && m_byCard == picture->byCard && samePicture(*m_newest, picture->request);
+    if (picture->byCard && !newest) return;
+    if (m_playing && !picture->byCard) {
         if (picture->quality <= highQuality) {
             m_frames->keep(*picture);
             m_passed = 0;
@@ -181,8 +187,8 @@ void ProgressiveCaster::deliver(const std::shared_ptr<const CastPicture>& pictur
         return;
     }
     if (newest && !picture->converged()) {
-        if (m_inStream) {
-            waitForRest(m_editing ? editRestMilliseconds : restMilliseconds);
+        if (m_inStream || m_playing) {
+            waitForRest(m_editing || m_playing ? editRestMilliseconds : restMilliseconds);
         } else {
             refine();
         }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "processing/picture/picture_request.h"
+#include "widgets/casting/card_makers.h"
 #include "widgets/casting/cast_picture.h"
 #include "widgets/casting/preview_quality.h"
 #include "widgets/casting/ray_casters.h"
@@ -28,6 +29,10 @@ class KeptFrames;
 /// Edits of curve and colour map keep one quality, because the ray caster keeps its samples. They wait longer before
 /// the picture is refined.
 ///
+/// A graphics card may draw instead of the casting thread. Then this thread prepares what the card draws
+/// (makeForCard()), at qualityForCard while requests follow each other and converged at rest, and delivers that like a
+/// picture.
+///
 /// While a motion plays, frames are also cast in high quality and kept (see KeptFrames). If a high-quality frame takes
 /// longer than a frame may, only every third one is kept, so that the motion goes on; a quicker picture of it is
 /// delivered first. Turn by turn more of a loop comes from memory. Once the motion has stopped, the next request for
@@ -37,11 +42,12 @@ class ProgressiveCaster : public QObject {
 
 public:
     explicit ProgressiveCaster(Works& works, const PreviewQuality& quality = PreviewQuality{},
-                               Cast cast = castThroughRayCasters());
+                               Cast cast = castThroughRayCasters(), Cast cardCast = makeForCard());
     ~ProgressiveCaster() override;
 
-    /// Asks for the pictures of a request. Its settings are as settingsAt() takes them.
-    void request(const PictureRequest& request);
+    /// Asks for the pictures of a request. Its settings are as settingsAt() takes them. `byCard`: for what a card draws
+    /// the first pane from.
+    void request(const PictureRequest& request, bool byCard = false);
     /// Whether the requests from now on are frames of a motion that plays.
     void setPlaying(bool playing);
     /// Frames of the motion that are kept in high quality.
@@ -73,7 +79,8 @@ private:
     void learn(const CastPicture& picture, const CastResult& result);
     void deliver(const std::shared_ptr<const CastPicture>& picture);
 
-    Cast m_cast;
+    Cast m_cast, m_cardCast;
+    bool m_byCard = false;  // whether a card draws the newest request
     PreviewQuality m_quality;
     std::shared_ptr<const PictureRequest> m_newest;
     QElapsedTimer m_sinceRequest;

@@ -44,6 +44,8 @@ inline constexpr std::array<Quality, 11> qualities{{
 inline constexpr std::size_t convergedQuality = 0;
 /// The quality of the kept frames of a motion.
 inline constexpr std::size_t highQuality = 1;
+/// The quality of a graphics card's pictures in motion: every pixel, and light half as fine as at rest.
+inline constexpr std::size_t qualityForCard = 2;
 /// The quality of pictures in motion until something is measured.
 inline constexpr std::size_t firstQuality = 7;
 

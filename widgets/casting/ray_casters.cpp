@@ -58,8 +58,12 @@ private:
         auto picture = pane.caster->cast(asked.classification, settings, progress);
         if (!picture) return false;
         auto screen = std::make_shared<const ScreenPicture>(screenPicture(*picture));
-        pane.picture = {std::make_shared<const Picture>(std::move(*picture)), std::move(screen),
-                        millisecondsSince(begin), pane.caster->sampleUse() != SampleUse::kept};
+        pane.picture = {std::make_shared<const Picture>(std::move(*picture)),
+                        std::move(screen),
+                        millisecondsSince(begin),
+                        pane.caster->sampleUse() != SampleUse::kept,
+                        {},
+                        {}};
         pane.made = asked;
         pane.settings = settings;
         return true;

@@ -68,6 +68,10 @@ VolumeViewWidget::VolumeViewWidget(Works& works, QWidget* parent)
         m_parts->caster.drawn(milliseconds);
         emit pictureDrawn();
     });
+    connect(parts.window, &QWindow::screenChanged, this, [this] {
+        m_parts->scene.forgetCard();
+        redrawSoon();
+    });
     connect(&parts.caster, &ProgressiveCaster::delivered, this, &VolumeViewWidget::showPicture);
     connect(&parts.caster, &ProgressiveCaster::failed, this, [this] {
         redrawWithoutPicture();

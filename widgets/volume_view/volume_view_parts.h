@@ -33,7 +33,7 @@ struct VolumeViewWidget::Parts {
     Viewpoint limits;  ///< front and box; its direction plays no part
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
-    std::shared_ptr<const CastPicture> shown;  ///< without pictures if the graphics card draws
+    std::shared_ptr<const CastPicture> shown;
     std::optional<QPointF> cursor;             ///< over the picture, logical pixels; no value elsewhere
     bool scheduled = false;                    ///< whether a request is on its way
     Works::UnderWay asks;                      ///< until the request is made

@@ -47,15 +47,14 @@ void VolumeViewWidget::setRenderer(RendererChoice choice) {
     schedule();
 }
 
-bool VolumeViewWidget::rendersLive() const { return m_parts->shown && m_parts->shown->live; }
+bool VolumeViewWidget::isByCard() const { return m_parts->shown && m_parts->shown->byCard; }
 
-QString VolumeViewWidget::rendererName() const { return rendersLive() ? tr("graphics card") : tr("software renderer"); }
+QString VolumeViewWidget::rendererName() const { return isByCard() ? tr("graphics card") : tr("software renderer"); }
 
 QString VolumeViewWidget::rendererRemark() const {
     const VolumeScene& scene = m_parts->scene;
     if (scene.openGlRenderer().empty()) return {};
-    const PictureRequest request = presentRequest(pixelSize());
-    const std::string why = scene.whySoftware(request.settings, m_parts->classification);
+    const std::string why = scene.whySoftware();
     if (!why.empty()) return QString::fromStdString(why);
     return tr("OpenGL: %1").arg(QString::fromStdString(scene.openGlRenderer()));
 }
@@ -109,7 +108,7 @@ QString VolumeViewWidget::caption() const { return QString::fromStdString(m_part
 VolumeScene& VolumeViewWidget::scene() { return m_parts->scene; }
 
 std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
-    return m_parts->shown && !m_parts->shown->live ? m_parts->shown->panes.front().picture : nullptr;
+    return m_parts->shown ? m_parts->shown->panes.front().picture : nullptr;
 }
 
 bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->converged(); }
@@ -142,7 +141,8 @@ QImage VolumeViewWidget::screenImage() {
 
 QImage VolumeViewWidget::convergedImage() {
     Parts& parts = *m_parts;
-    if (parts.volume && parts.window->isValid() && !rendersLive() && !(pictureIsFine() && pictureIsCurrent())) {
+    // A card's picture never leaves the window.
+    if (parts.volume && parts.window->isValid() && (isByCard() || !pictureIsFine() || !pictureIsCurrent())) {
         const RayCastSettings converged = settings();
         try {
             const std::optional<Picture> picture = castRays(*parts.volume, parts.classification, converged);
@@ -175,30 +175,11 @@ void VolumeViewWidget::requestPicture() {
     const QSize pixels = pixelSize();
     if (parts.volume && isVisible() && !pixels.isEmpty()) {
         PictureRequest request = presentRequest(pixels);
-        if (parts.scene.rendererFor(request.settings, parts.classification) == RendererChoice::graphicsCard) {
-            showLive(request);
-        } else {
-            request.settings.findDepth = parts.scene.wantsDepth();
-            parts.caster.request(request);
-        }
+        request.settings.findDepth = parts.scene.wantsDepth();
+        parts.caster.request(request, parts.scene.rendererInUse() == RendererChoice::graphicsCard);
     }
     if (!parts.caster.quickPictureComes()) redrawWithoutPicture();  // the request was equal to the newest one
     if (!parts.scheduled) parts.asks.end();
-}
-
-void VolumeViewWidget::showLive(const PictureRequest& request) {
-    Parts& parts = *m_parts;
-    if (rendersLive() && samePicture(parts.shown->request, request)) return;
-    parts.caster.clear();
-    parts.shown = std::make_shared<const CastPicture>(CastPicture{.request = request,
-                                                                  .quality = convergedQuality,
-                                                                  .settings = request.settings,
-                                                                  .followsHand = true,
-                                                                  .live = true});
-    parts.scene.setTransfer(request.panes.front().classification, request.settings.colourMap);
-    parts.scene.showLive(request.settings.camera, request.settings);
-    render(true);
-    report(*parts.shown);
 }
 
 void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& picture) {
@@ -206,7 +187,11 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     parts.shown = picture;
     const PictureRequest& request = picture->request;
     parts.scene.setTransfer(request.panes.front().classification, request.settings.colourMap);
-    parts.scene.show(picture->panes.front().screen, request.settings.camera);
+    const CastPane& pane = picture->panes.front();
+    if (pane.card)
+        parts.scene.show(pane.card, pane.known);
+    else
+        parts.scene.show(pane.screen, request.settings.camera);
     render(picture->followsHand);
     report(*picture);
 }
@@ -237,9 +222,8 @@ void VolumeViewWidget::render(bool followsHand) {
     parts.renderWindow->Render();
     parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, followsHand);
     // Only after a drawing is it known that there is a graphics card, or that it failed.
-    const bool live =
-        parts.scene.rendererFor(parts.shown->request.settings, parts.classification) == RendererChoice::graphicsCard;
-    if (live != rendersLive()) schedule();
+    const bool byCard = parts.scene.rendererInUse() == RendererChoice::graphicsCard;
+    if (byCard != isByCard()) schedule();
 }
 
 void VolumeViewWidget::report(const CastPicture& picture) {
@@ -253,11 +237,8 @@ void VolumeViewWidget::report(const CastPicture& picture) {
                          .castMilliseconds = picture.milliseconds,
                          .drawMilliseconds = parts.meter->drawingMilliseconds(),
                          .framesPerSecond = parts.meter->framesPerSecond()};
-    if (picture.live) {
-        report.quality = QStringLiteral("live");
-        report.castMilliseconds = parts.scene.liveMilliseconds();
-        report.drawMilliseconds = 0.0;  // casting and drawing are the same work
-    }
+    // What the casting thread did was only to prepare.
+    if (picture.byCard) report.castMilliseconds += parts.scene.cardMilliseconds();
     emit pictureDelivered(report);
 }
 

@@ -44,8 +44,8 @@ struct PictureReport {
 /// Shows the ray caster's pictures of a volume in VTK's scene, with an orientation marker and a scale bar. Another
 /// thread makes the pictures: quick ones first. Better ones follow, up to the converged picture, while nothing newer
 /// waits (see ProgressiveCaster). This thread never waits for one. On the screen picture, camera, marker and scale bar
-/// always belong together. An unchanged view costs nothing. If a graphics card renders instead, it does so in this
-/// thread, and every picture is the best it can make.
+/// always belong together. An unchanged view costs nothing. If a graphics card draws instead, it does so in this thread,
+/// and the other one prepares what it draws.
 ///
 /// Mouse: left drag orbits, middle or Shift + left drag pans, wheel (about the cursor) or right drag zooms, Ctrl + left
 /// drag moves the light if there is one; Escape ends a drag without change. Keys: Ctrl + arrows orbit by 1°, with Shift
@@ -110,10 +110,10 @@ public:
     [[nodiscard]] RayCastSettings settings() const;
     [[nodiscard]] RayCastSettings settingsFor(const QSize& pixels) const;
 
-    /// The newest picture cast. Null before the first, if the graphics card renders, and for a kept frame of a motion.
+    /// The newest picture cast. Null before the first, if the graphics card draws, and for a kept frame of a motion.
     /// Before it is converged, it may be smaller than the view.
     [[nodiscard]] std::shared_ptr<const Picture> picture() const;
-    /// True if the newest picture is converged, or the graphics card's.
+    /// True if the newest picture is converged.
     [[nodiscard]] bool pictureIsFine() const;
     /// True if the newest picture, of any quality, shows the present volume, curve, look and camera.
     [[nodiscard]] bool pictureIsCurrent() const;
@@ -204,9 +204,8 @@ private:
     void schedule();
     void requestPicture();
     [[nodiscard]] PictureRequest presentRequest(const QSize& pixels) const;
-    [[nodiscard]] bool rendersLive() const;
+    [[nodiscard]] bool isByCard() const;
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
-    void showLive(const PictureRequest& request);
     void render(bool followsHand);
     void redrawSoon();
     void redrawWithoutPicture();

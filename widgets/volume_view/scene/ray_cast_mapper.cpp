@@ -19,7 +19,6 @@
 #include <array>
 
 #include "processing/volume/geometry.h"
-#include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
 
 namespace echolucent {
 
@@ -108,30 +107,28 @@ struct RayCastMapper::OpenGl {
 
 vtkStandardNewMacro(RayCastMapper);
 
-RayCastMapper::RayCastMapper() : m_openGl(std::make_unique<OpenGl>()) {}
+RayCastMapper::RayCastMapper() : m_card(std::make_unique<CardRenderer>()), m_openGl(std::make_unique<OpenGl>()) {}
 
 RayCastMapper::~RayCastMapper() = default;
 
 void RayCastMapper::setPicture(std::shared_ptr<const ScreenPicture> picture) {
+    m_cardPicture = nullptr;
     if (picture == m_picture) return;
     m_picture = std::move(picture);
     m_uploaded = false;
     Modified();
 }
 
-void RayCastMapper::setGraphicsCardVolume(GraphicsCardVolume* volume) {
-    if (volume == m_card) return;
-    m_card = volume;
+void RayCastMapper::setCardPicture(std::shared_ptr<const CardPicture> picture,
+                                   std::shared_ptr<const KnownCardPicture> known) {
+    m_cardPicture = std::move(picture);
+    m_known = std::move(known);
     Modified();
 }
 
-void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
-    vtkTextureObject& texture = *m_openGl->picture;
-    const int filter = filtered ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
-    texture.SetMinificationFilter(filter);
-    texture.SetMagnificationFilter(filter);
+void RayCastMapper::upload(vtkOpenGLRenderWindow* window) {
     if (m_uploaded) return;
-    fill(texture, window, *m_picture, 4, VTK_UNSIGNED_CHAR, m_picture->rgba);
+    fill(*m_openGl->picture, window, *m_picture, 4, VTK_UNSIGNED_CHAR, m_picture->rgba);
     if (!m_picture->depthMm.empty()) {
         vtkTextureObject& depths = *m_openGl->depths;
         // There is nothing to interpolate between a surface and no surface.
@@ -142,16 +139,30 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window, bool filtered) {
     m_uploaded = true;
 }
 
+/// False if there is nothing to show.
+bool RayCastMapper::prepareShown(vtkOpenGLRenderWindow* window, Shown& shown) {
+    if (m_cardPicture && m_card->draw(*window, m_cardPicture, m_known)) {
+        m_picture = nullptr;
+        const RayCastSettings& settings = m_cardPicture->settings;
+        shown = {&m_card->colours(), settings.findDepth ? &m_card->depths() : nullptr, settings.width, settings.height};
+        return true;
+    }
+    if (!m_picture || m_picture->rgba.empty()) return false;
+    upload(window);
+    shown = {m_openGl->picture, m_picture->depthMm.empty() ? nullptr : m_openGl->depths.Get(), m_picture->width,
+             m_picture->height};
+    return true;
+}
+
 void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-    if (!window) return;
-    if (m_card) {
-        m_card->draw(*renderer, *window);
-        return;
-    }
-    if (!m_picture || m_picture->rgba.empty()) return;
+    Shown shown{};
+    if (!window || !prepareShown(window, shown)) return;
     const int* viewport = renderer->GetSize();
-    upload(window, m_picture->width != viewport[0] || m_picture->height != viewport[1]);
+    const bool filtered = shown.width != viewport[0] || shown.height != viewport[1];
+    const int filter = filtered ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+    shown.colours->SetMinificationFilter(filter);
+    shown.colours->SetMagnificationFilter(filter);
 
     vtkOpenGLState* state = window->GetState();
     vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
@@ -164,40 +175,40 @@ void RayCastMapper::Render(vtkRenderer* renderer, vtkVolume* volume) {
     const float centre = depthOfCentre(renderer, volume);
     if (vtkHardwareSelector* selector = renderer->GetSelector()) {
         selector->BeginRenderProp();
-        drawSurface(renderer, window, centre);
+        drawSurface(renderer, window, shown, centre);
         selector->EndRenderProp();
         return;
     }
-    drawColours(renderer, window, centre);
-    if (m_picture->depthMm.empty()) return;
+    drawColours(renderer, window, shown, centre);
+    if (!shown.depths) return;
     // Draw depths in a pass of their own. In one pass with the colours, the depth test would cut the colours, or depths
     // would be wiped out where the volume has no surface.
     state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawSurface(renderer, window, centre);
+    drawSurface(renderer, window, shown, centre);
 }
 
-void RayCastMapper::drawColours(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth) {
+void RayCastMapper::drawColours(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, const Shown& shown, float depth) {
     if (!prepare(m_openGl->colours, window, colourShader)) return;
     vtkOpenGLState* state = window->GetState();
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    vtkTextureObject& picture = *m_openGl->picture;
+    vtkTextureObject& picture = *shown.colours;
     picture.Activate();
     m_openGl->colours->Program->SetUniformi("picture", picture.GetTextureUnit());
-    drawRectangle(renderer, *m_openGl->colours, depth);
+    drawRectangle(renderer, *m_openGl->colours, shown, depth);
     picture.Deactivate();
 }
 
-void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, float depth) {
+void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* window, const Shown& shown, float depth) {
     if (!prepare(m_openGl->surface, window, surfaceShader)) return;
     vtkOpenGLState* state = window->GetState();
     state->vtkglDepthMask(GL_TRUE);
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDisable(GL_BLEND);
-    vtkTextureObject& picture = *m_openGl->picture;
-    vtkTextureObject& depths = m_picture->depthMm.empty() ? picture : *m_openGl->depths;
+    vtkTextureObject& picture = *shown.colours;
+    vtkTextureObject& depths = shown.depths ? *shown.depths : picture;
     picture.Activate();
     depths.Activate();
     vtkCamera& camera = *renderer->GetActiveCamera();
@@ -210,20 +221,20 @@ void RayCastMapper::drawSurface(vtkRenderer* renderer, vtkOpenGLRenderWindow* wi
     vtkShaderProgram& program = *m_openGl->surface->Program;
     program.SetUniformi("picture", picture.GetTextureUnit());
     program.SetUniformi("depths", depths.GetTextureUnit());
-    program.SetUniformi("hasDepths", !m_picture->depthMm.empty());
+    program.SetUniformi("hasDepths", shown.depths != nullptr);
     program.SetUniformi("parallelProjection", camera.GetParallelProjection());
     program.SetUniformf("eyeMm", static_cast<float>(eyeMm));
     program.SetUniformf("nearMm", static_cast<float>(clippingMm[0]));
     program.SetUniformf("farMm", static_cast<float>(clippingMm[1]));
     program.SetUniform3f("marker", marker.data());
-    drawRectangle(renderer, *m_openGl->surface, depth);
+    drawRectangle(renderer, *m_openGl->surface, shown, depth);
     depths.Deactivate();
     picture.Deactivate();
 }
 
-void RayCastMapper::drawRectangle(vtkRenderer* renderer, vtkOpenGLHelper& program, float depth) {
+void RayCastMapper::drawRectangle(vtkRenderer* renderer, vtkOpenGLHelper& program, const Shown& shown, float depth) {
     const int* viewport = renderer->GetSize();
-    const float x = static_cast<float>((static_cast<double>(m_picture->width) / m_picture->height) /
+    const float x = static_cast<float>((static_cast<double>(shown.width) / shown.height) /
                                        (static_cast<double>(viewport[0]) / viewport[1]));
     std::array<float, 12> vertices{-x, -1, depth, x, -1, depth, x, 1, depth, -x, 1, depth};
     std::array<float, 8> textureCoordinates{0, 1, 1, 1, 1, 0, 0, 0};  // the picture's first row is at the top
@@ -234,6 +245,7 @@ void RayCastMapper::ReleaseGraphicsResources(vtkWindow* window) {
     m_openGl->picture->ReleaseGraphicsResources(window);
     m_openGl->depths->ReleaseGraphicsResources(window);
     m_uploaded = false;
+    m_card->release(window);
     release(m_openGl->colours, window);
     release(m_openGl->surface, window);
     vtkVolumeMapper::ReleaseGraphicsResources(window);

@@ -36,17 +36,13 @@ VolumeScene::VolumeScene() {
     updateVisibility();
 }
 
-VolumeScene::~VolumeScene() {
-    m_renderer->RemoveObserver(m_startObserver);
-    m_mapper->setGraphicsCardVolume(nullptr);
-}
+VolumeScene::~VolumeScene() { m_renderer->RemoveObserver(m_startObserver); }
 
 vtkRenderer* VolumeScene::renderer() { return m_renderer; }
 
 void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     m_mapper->setPicture(nullptr);
-    m_mapper->setGraphicsCardVolume(nullptr);
-    m_cardVolume.setVolume(nullptr);
+    m_mapper->card().forgetFailure();
     m_hasPicture = false;
     m_transfer.reset();
     if (volume) {
@@ -66,18 +62,13 @@ void VolumeScene::setTransfer(const Classification& classification, ColourMap co
 }
 
 void VolumeScene::show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera) {
-    m_mapper->setGraphicsCardVolume(nullptr);
     m_mapper->setPicture(std::move(picture));
     lookThrough(camera);
 }
 
-void VolumeScene::showLive(const Camera& camera, const RayCastSettings& look) {
-    m_cardVolume.setVolume(m_volume);
-    RayCastSettings seen = look;
-    seen.camera = camera;
-    m_cardVolume.setLook(seen, *m_property);
-    m_mapper->setPicture(nullptr);
-    m_mapper->setGraphicsCardVolume(&m_cardVolume);
+void VolumeScene::show(std::shared_ptr<const CardPicture> picture, std::shared_ptr<const KnownCardPicture> known) {
+    const Camera camera = picture->settings.camera;
+    m_mapper->setCardPicture(std::move(picture), std::move(known));
     lookThrough(camera);
 }
 
@@ -109,27 +100,40 @@ void VolumeScene::setCaption(const std::string& text) {
     updateVisibility();
 }
 
-bool VolumeScene::graphicsCardAtHand() const { return !m_card.renderer.empty() && !isSoftwareOpenGl(m_card.renderer); }
+const std::string& VolumeScene::openGlRenderer() const { return m_mapper->card().card().renderer; }
 
-RendererChoice VolumeScene::rendererFor(const RayCastSettings& look, const Classification& classification) const {
-    const bool software = m_choice == RendererChoice::software || !whySoftware(look, classification).empty();
+void VolumeScene::setRenderer(RendererChoice choice) {
+    m_choice = choice;
+    m_mapper->card().forgetFailure();
+}
+
+void VolumeScene::forgetCard() { m_mapper->card().forget(); }
+
+void VolumeScene::setCardAnswers(const CardAnswers& answers) { m_mapper->setCardAnswers(answers); }
+
+double VolumeScene::cardMilliseconds() const {
+    return m_mapper->card().uploadMilliseconds() + m_mapper->card().drawMilliseconds();
+}
+
+bool VolumeScene::graphicsCardAtHand() const {
+    return !openGlRenderer().empty() && !isSoftwareOpenGl(openGlRenderer());
+}
+
+RendererChoice VolumeScene::rendererInUse() const {
+    const bool software = m_choice == RendererChoice::software || !whySoftware().empty();
     return software ? RendererChoice::software : RendererChoice::graphicsCard;
 }
 
-std::string VolumeScene::whySoftware(const RayCastSettings& look, const Classification& classification) const {
+std::string VolumeScene::whySoftware() const {
     if (m_choice == RendererChoice::software) return {};
-    if (m_card.renderer.empty()) return "The graphics card is not known before the first picture.";
+    if (openGlRenderer().empty()) return "The graphics card is not known before the first picture.";
     if (m_choice == RendererChoice::automatic && !graphicsCardAtHand()) {
-        return "OpenGL is software here (" + m_card.renderer + "): the software ray caster is faster.";
+        return "OpenGL is software here (" + openGlRenderer() + "): the software ray caster is faster.";
     }
-    if (!m_cardVolume.failure().empty()) return m_cardVolume.failure();
-    if (m_volume) {
-        const std::string tooLarge = whyTooLarge(m_volume->geometry(), bytesOnCard(*m_volume), m_card);
-        if (!tooLarge.empty()) return tooLarge;
-    }
-    if (classification.isTwoDimensional() && look.mode == RenderMode::direct)
-        return "A two-dimensional OTF is what only the software ray caster has.";
-    return GraphicsCardVolume::whyNot(look);
+    const CardRenderer& card = m_mapper->card();
+    if (!card.failure().empty() || !m_volume) return card.failure();
+    const int* size = m_renderer->GetSize();
+    return whyTooLarge(m_volume->geometry(), bytesOnCard(*m_volume, size[0], size[1]), card.card());
 }
 
 void VolumeScene::updateVisibility() {
@@ -143,7 +147,7 @@ void VolumeScene::updateVisibility() {
 
 void VolumeScene::prepareDrawing() {
     auto* window = vtkOpenGLRenderWindow::SafeDownCast(m_renderer->GetRenderWindow());
-    if (m_card.renderer.empty() && window) m_card = graphicsCardOf(*window);
+    if (window) m_mapper->card().meet(*window);
     const int* size = m_renderer->GetSize();
     m_shade.layOut(size[0], size[1]);
     layOutAnnotations();

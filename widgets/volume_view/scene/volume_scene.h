@@ -14,8 +14,7 @@
 #include "widgets/volume_view/scene/annotation/overlay_lines.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/annotation/shade.h"
-#include "widgets/volume_view/scene/graphics_card/graphics_card.h"
-#include "widgets/volume_view/scene/graphics_card/graphics_card_volume.h"
+#include "widgets/volume_view/scene/graphics_card/card_answers.h"
 
 class vtkRenderer;
 class vtkVolume;
@@ -23,6 +22,8 @@ class vtkVolumeProperty;
 
 namespace echolucent {
 
+struct CardPicture;
+struct KnownCardPicture;
 class RayCastMapper;
 
 /// One vtkRenderer in grid mm on black. Only the rendering thread may use it. Nothing here casts rays or starts a
@@ -46,10 +47,9 @@ public:
     void setTransfer(const Classification& classification, ColourMap colourMap);
     /// Shows a finished picture with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
-    /// Looks at the scene with a camera. The graphics card then draws the volume with every drawing of the window. Call
-    /// this only if rendererFor(look) says graphicsCard. The curve is that of setTransfer(). The look's size and camera
-    /// play no part.
-    void showLive(const Camera& camera, const RayCastSettings& look);
+    /// Lets the graphics card draw a picture with the next drawing of the window. If the card fails, the picture before
+    /// stays, and rendererInUse() says software. Neither may be null.
+    void show(std::shared_ptr<const CardPicture> picture, std::shared_ptr<const KnownCardPicture> known);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);
     /// Lays a shade over picture and annotations, because they are about to be replaced.
@@ -68,25 +68,25 @@ public:
 
     // ---- Who renders
 
-    void setRenderer(RendererChoice choice) { m_choice = choice; }
+    /// Gives a card that has failed another chance, unless it draws wrongly.
+    void setRenderer(RendererChoice choice);
     [[nodiscard]] RendererChoice rendererChoice() const { return m_choice; }
     /// software or graphicsCard, for the volume in the scene. The scene knows the graphics card once the window was
-    /// drawn. After the first drawing of showLive() it knows whether the card can hold and draw the volume. Ask again
-    /// after each of the two.
-    [[nodiscard]] RendererChoice rendererInUse() const { return rendererFor({}); }
-    /// Who renders a picture of this look and classification. Some looks and classifications only the software ray
-    /// caster can draw.
-    [[nodiscard]] RendererChoice rendererFor(const RayCastSettings& look,
-                                             const Classification& classification = ManualCurve{}) const;
-    /// A sentence that says why rendererFor() chose software against the choice; else empty.
-    [[nodiscard]] std::string whySoftware(const RayCastSettings& look = {},
-                                          const Classification& classification = ManualCurve{}) const;
+    /// drawn. After the first drawing of a card's picture it knows whether the card can draw it. Ask again after each
+    /// of the two.
+    [[nodiscard]] RendererChoice rendererInUse() const;
+    /// A sentence that says why rendererInUse() is software against the choice; else empty.
+    [[nodiscard]] std::string whySoftware() const;
     /// OpenGL's name for the renderer; empty until the window was drawn once.
-    [[nodiscard]] const std::string& openGlRenderer() const { return m_card.renderer; }
+    [[nodiscard]] const std::string& openGlRenderer() const;
+    /// The window may be on another card now. The next drawing asks and checks it anew.
+    void forgetCard();
+    /// Answers in the place of the card, for tests. Call this before the window is drawn.
+    void setCardAnswers(const CardAnswers& answers);
     /// True if OpenGL is known and is no software.
     [[nodiscard]] bool graphicsCardAtHand() const;
-    /// The time of the last drawing of showLive().
-    [[nodiscard]] double liveMilliseconds() const { return m_cardVolume.milliseconds(); }
+    /// The time that the newest picture of the card took in this thread.
+    [[nodiscard]] double cardMilliseconds() const;
 
 private:
     void lookThrough(const Camera& camera);
@@ -104,8 +104,6 @@ private:
     Caption m_caption;
     OverlayLines m_overlay;
     Shade m_shade;
-    GraphicsCard m_card;
-    GraphicsCardVolume m_cardVolume;
     RendererChoice m_choice = RendererChoice::automatic;
     /// The values that the property was set from.
     struct Transfer {

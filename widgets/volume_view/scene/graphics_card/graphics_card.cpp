@@ -56,14 +56,6 @@ bool isSoftwareOpenGl(std::string_view renderer) {
                        [&](const char* name) { return lower.find(name) != std::string::npos; });
 }
 
-std::int64_t bytesOnCard(const Volume& volume) {
-    const std::int64_t voxels = volume.geometry().voxelCount();
-    const std::int64_t each = std::visit(
-        [](const auto& stored) { return std::int64_t{sizeof(typename std::decay_t<decltype(stored)>::value_type)}; },
-        volume.voxels());
-    return voxels * (each + (volume.dataMask().empty() ? 0 : 1));
-}
-
 std::string whyTooLarge(const VolumeGeometry& geometry, std::int64_t bytes, const GraphicsCard& card) {
     const std::int64_t longest = *std::max_element(geometry.size.begin(), geometry.size.end());
     if (longest > card.largestTextureSide) {

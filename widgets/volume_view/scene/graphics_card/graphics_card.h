@@ -23,9 +23,6 @@ struct GraphicsCard {
 /// True for OpenGL that runs on the processor (llvmpipe, softpipe, SWR, SwiftShader, ...), by its renderer string.
 [[nodiscard]] bool isSoftwareOpenGl(std::string_view renderer);
 
-/// Bytes that a volume takes on the card, its mask included.
-[[nodiscard]] std::int64_t bytesOnCard(const Volume& volume);
-
 /// A sentence that says why a card cannot hold a volume; empty if it can.
 [[nodiscard]] std::string whyTooLarge(const VolumeGeometry& geometry, std::int64_t bytes, const GraphicsCard& card);
 

@@ -1,5 +1,4 @@
-// A volume as VTK sees it, for pickers, bounds and the GPU mapper: on the volume's own memory, unless a data mask needs
-// a copy.
+// A volume as VTK sees it, for pickers and bounds, on the volume's own memory.
 #pragma once
 
 #include <vtkSmartPointer.h>
@@ -20,16 +19,6 @@ namespace echolucent {
 /// An image on the volume's own memory in grid mm: voxel (0,0,0) at the origin, without the patient frame. VTK must not
 /// write to it, and the volume must outlive it.
 [[nodiscard]] vtkSmartPointer<vtkImageData> imageOn(const Volume& volume);
-
-/// The volume's grid with the voxels as cells: the images reach half a voxel beyond the outermost voxel centres, as the
-/// volume's box does. If the volume has no data mask, the image is on the volume's own memory. Else the voxels are a
-/// copy. In the copy, a voxel without data next to data has the mean of the data around it, so that interpolation sees
-/// data only. The mask is 1 on data.
-struct CellImages {
-    vtkSmartPointer<vtkImageData> voxels;
-    vtkSmartPointer<vtkImageData> mask;  ///< null if all voxels are data
-};
-[[nodiscard]] CellImages cellImagesOf(const Volume& volume);
 
 /// VTK's number for a voxel type.
 template <typename Stored>

@@ -1,0 +1,22 @@
+#include "widgets/volume_view/scene/graphics_card/card_answers.h"
+
+#include <vtk_glew.h>
+
+namespace echolucent {
+
+CardError newestCardError(vtkOpenGLRenderWindow&) {
+    constexpr unsigned lostContext = 0x0507;  // GL_CONTEXT_LOST, which OpenGL 4.5 brought
+    constexpr int mostFlags = 16;             // a context that is lost may answer for ever
+    CardError newest = CardError::none;
+    for (int i = 0; i < mostFlags; ++i) {
+        const unsigned code = glGetError();
+        if (code == GL_NO_ERROR) break;
+        if (code == lostContext) return CardError::contextLost;
+        newest = code == GL_OUT_OF_MEMORY    ? CardError::outOfMemory
+                 : newest == CardError::none ? CardError::other
+                                             : newest;
+    }
+    return newest;
+}
+
+}  // namespace echolucent
