@@ -66,6 +66,24 @@ private slots:
         QCOMPARE(s.cardCommands.started(), 2);
     }
 
+    void aSlowCardDrawsFewerPixelsInMotion() {
+        Setup s;
+        s.caster.request(s.request(0.5), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        for (int i = 0; i < 5; ++i) s.caster.drawnByCard(s.delivered.front()->settings, 500.0);
+        s.caster.request(s.request(0.6), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        const std::vector<RayCastSettings> made = s.cardCommands.startedSettings();
+        QCOMPARE(made.size(), std::size_t{4});
+        QVERIFY(made[2].width < 60);
+        QCOMPARE(made[3].width, 120);
+        // However quick it is, light in motion stays coarse.
+        for (int i = 0; i < 20; ++i) s.caster.drawnByCard(s.delivered.front()->settings, 1e-3);
+        s.caster.request(s.request(0.7), true);
+        QTRY_VERIFY_WITH_TIMEOUT(!s.caster.busy(), patience);
+        QCOMPARE(s.cardCommands.startedSettings()[4].step, qualities[qualityForCard].step);
+    }
+
     void whatACardWasToDrawIsNotShownAfterASwitch() {
         Setup s;
         s.cardCommands.hold();

@@ -113,7 +113,8 @@ struct CardWindow {
     ~CardWindow() { renderer.release(window); }
     bool draw(const std::shared_ptr<const CardPicture>& picture) {
         window->MakeCurrent();
-        return renderer.draw(*vtkOpenGLRenderWindow::SafeDownCast(window), picture, known);
+        return renderer.draw(*vtkOpenGLRenderWindow::SafeDownCast(window), picture, known) ==
+               CardRenderer::Drawing::done;
     }
     vtkNew<vtkRenderWindow> window;
     std::shared_ptr<const KnownCardPicture> known = std::make_shared<const KnownCardPicture>(knownCardPicture());
@@ -263,18 +264,52 @@ private slots:
             std::none_of(card.depthMm.begin(), card.depthMm.end(), [](float depth) { return std::isfinite(depth); }));
     }
 
-    void tilesMakeTheSamePicture() {
+    void bandsMakeTheSamePicture() {
         const auto fetus = smallFetus();
-        const auto picture = cardPicture(fetus, square, plainSettings(*fetus));
+        RayCastSettings settings = plainSettings(*fetus);
+        settings.mixing = {0.4, RenderMode::maximum};
+        const auto picture = cardPicture(fetus, square, settings);
         m_card.renderer.setReading(CardReading::filter);
         QVERIFY(m_card.draw(picture));
         const Picture whole = m_card.renderer.read();
-        m_card.renderer.setReading(CardReading::filter);  // draws the same picture again
-        m_card.renderer.setSamplesOfTile(1.0);
+        m_card.renderer.setReading(CardReading::filter);  // forgets the picture
+        m_card.renderer.setSamplesOfBand(1.0);
         QVERIFY(m_card.draw(picture));
-        QVERIFY2(m_card.renderer.tiles() > 3, qPrintable(QString::number(m_card.renderer.tiles())));
+        QVERIFY2(m_card.renderer.bands() > 4, qPrintable(QString::number(m_card.renderer.bands())));
         QVERIFY(m_card.renderer.read().rgba == whole.rgba);
         QVERIFY(m_card.renderer.read().depthMm == whole.depthMm);
+    }
+
+    void aPictureInSeveralDrawingsIsTheSame() {
+        const auto fetus = smallFetus();
+        RayCastSettings settings = plainSettings(*fetus);
+        settings.mixing = {0.4, RenderMode::maximum};
+        const auto before = cardPicture(fetus, square, litSettings(*fetus)),
+                   picture = cardPicture(fetus, square, settings);
+        m_card.renderer.setReading(CardReading::filter);
+        QVERIFY(m_card.draw(picture));
+        const Picture whole = m_card.renderer.read();
+        QVERIFY(m_card.draw(before));
+        const Picture old = m_card.renderer.read();
+        auto& window = *vtkOpenGLRenderWindow::SafeDownCast(m_card.window);
+        int drawings = 1;
+        m_card.renderer.setSamplesOfBand(1.0);
+        for (; m_card.renderer.draw(window, picture, m_card.known, 1e-3) == CardRenderer::Drawing::goesOn; ++drawings) {
+            QVERIFY(m_card.renderer.goesOn());
+            QCOMPARE(m_card.renderer.drawn(), before);
+            if (drawings == 2) QVERIFY(m_card.renderer.read().rgba == old.rgba);  // the picture before stays whole
+            QVERIFY(drawings < 1000);
+        }
+        QVERIFY2(drawings > 4, qPrintable(QString::number(drawings)));
+        QVERIFY(!m_card.renderer.goesOn());
+        QVERIFY(m_card.renderer.read().rgba == whole.rgba);
+        QVERIFY(m_card.renderer.read().depthMm == whole.depthMm);
+        // Another picture takes the place of one that is not done.
+        m_card.renderer.setSamplesOfBand(1.0);
+        QVERIFY(m_card.renderer.draw(window, before, m_card.known, 1e-3) == CardRenderer::Drawing::goesOn);
+        QVERIFY(m_card.draw(picture));
+        QVERIFY(!m_card.renderer.goesOn());
+        QVERIFY(m_card.renderer.read().rgba == whole.rgba);
     }
 
     void voxelsAreBroughtToTheCardOnce() {

@@ -1,5 +1,6 @@
 #include "widgets/casting/progressive_caster.h"
 
+#include <algorithm>
 #include <chrono>
 #include <new>
 #include <utility>
@@ -76,7 +77,9 @@ void ProgressiveCaster::request(const PictureRequest& request, bool byCard) {
 }
 
 std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool edited) {
-    if (m_byCard) return qualityForCard;
+    if (m_byCard)
+        return m_cardQuality ? std::max(qualityForCard, m_cardQuality->qualityInMotion(request.settings))
+                             : qualityForCard;
     // In a motion no hand waits: a frame is as fine as its time allows.
     if (m_playing) return m_quality.qualityAlone(request.settings);
     if (edited) {
@@ -149,6 +152,11 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
         }
     };
     m_thread.submit(std::move(job), whenSuperseded);
+}
+
+void ProgressiveCaster::drawnByCard(const RayCastSettings& settings, double milliseconds) {
+    if (!m_cardQuality) m_cardQuality.emplace();
+    m_cardQuality->sampled(settings, milliseconds);
 }
 
 void ProgressiveCaster::fail() {

@@ -30,8 +30,8 @@ class KeptFrames;
 /// the picture is refined.
 ///
 /// A graphics card may draw instead of the casting thread. Then this thread prepares what the card draws
-/// (makeForCard()), at qualityForCard while requests follow each other and converged at rest, and delivers that like a
-/// picture.
+/// (makeForCard()), at qualityForCard or coarser while requests follow each other and converged at rest, and delivers
+/// that like a picture.
 ///
 /// While a motion plays, frames are also cast in high quality and kept (see KeptFrames). If a high-quality frame takes
 /// longer than a frame may, only every third one is kept, so that the motion goes on; a quicker picture of it is
@@ -63,6 +63,9 @@ public:
     [[nodiscard]] bool quickPictureComes() const { return m_newest && m_thread.busy() && m_startedQuick; }
     /// Takes the time to bring a picture to the screen, without casting.
     void drawn(double milliseconds) { m_quality.drawn(milliseconds); }
+    /// Takes the time in which a card drew a picture of these settings. If a card is too slow, it draws fewer pixels
+    /// while requests follow each other.
+    void drawnByCard(const RayCastSettings& settings, double milliseconds);
 
 signals:
     void delivered(const std::shared_ptr<const echolucent::CastPicture>& picture);
@@ -82,6 +85,7 @@ private:
     Cast m_cast, m_cardCast;
     bool m_byCard = false;  // whether a card draws the newest request
     PreviewQuality m_quality;
+    std::optional<PreviewQuality> m_cardQuality;  // of a card that has drawn
     std::shared_ptr<const PictureRequest> m_newest;
     QElapsedTimer m_sinceRequest;
     bool m_inStream = false;                          // the newest request came soon after another

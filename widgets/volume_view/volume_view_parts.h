@@ -22,7 +22,7 @@
 namespace echolucent {
 
 struct VolumeViewWidget::Parts {
-    explicit Parts(Works& works) : asks(works, {}), caster(works) {}
+    explicit Parts(Works& works) : asks(works, {}), cardDraws(works, {}), caster(works) {}
 
     std::shared_ptr<const Volume> volume;
     std::shared_ptr<const Volume> measured;  ///< pointed values are read from it; null only if the volume is null
@@ -34,11 +34,12 @@ struct VolumeViewWidget::Parts {
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;
-    std::optional<QPointF> cursor;             ///< over the picture, logical pixels; no value elsewhere
-    bool scheduled = false;                    ///< whether a request is on its way
-    Works::UnderWay asks;                      ///< until the request is made
-    bool dimmed = false;                       ///< whether the picture on the screen is dimmed
-    bool toRedraw = false;                     ///< whether the overlay or caption has changed since it was drawn
+    std::optional<QPointF> cursor;  ///< over the picture, logical pixels; no value elsewhere
+    bool scheduled = false;         ///< whether a request is on its way
+    Works::UnderWay asks;           ///< until the request is made
+    Works::UnderWay cardDraws;      ///< while the card is not done with the newest picture
+    bool dimmed = false;            ///< whether the picture on the screen is dimmed
+    bool toRedraw = false;          ///< whether the overlay or caption has changed since it was drawn
 
     VolumeScene scene;
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;

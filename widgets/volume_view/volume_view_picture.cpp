@@ -4,7 +4,9 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <QElapsedTimer>
+#include <QTimer>
 #include <algorithm>
+#include <limits>
 #include <new>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "processing/picture/view_limits.h"
 #include "processing/ray_caster/ray_caster.h"
 #include "widgets/casting/qualities.h"
+#include "widgets/volume_view/scene/graphics_card/card_renderer.h"
 #include "widgets/volume_view/scene/pointed_sample.h"
 #include "widgets/volume_view/volume_view_parts.h"
 
@@ -111,7 +114,9 @@ std::shared_ptr<const Picture> VolumeViewWidget::picture() const {
     return m_parts->shown ? m_parts->shown->panes.front().picture : nullptr;
 }
 
-bool VolumeViewWidget::pictureIsFine() const { return m_parts->shown && m_parts->shown->converged(); }
+bool VolumeViewWidget::pictureIsFine() const {
+    return m_parts->shown && m_parts->shown->converged() && !m_parts->scene.cardGoesOn();
+}
 
 bool VolumeViewWidget::pictureIsCurrent() const {
     if (!m_parts->shown) return false;
@@ -193,7 +198,24 @@ void VolumeViewWidget::showPicture(const std::shared_ptr<const CastPicture>& pic
     else
         parts.scene.show(pane.screen, request.settings.camera);
     render(picture->followsHand);
-    report(*picture);
+    reportOnceDrawn();
+}
+
+/// A card draws the picture at rest in several drawings, so that the window goes on meanwhile.
+void VolumeViewWidget::reportOnceDrawn() {
+    Parts& parts = *m_parts;
+    if (!parts.scene.cardGoesOn()) {
+        parts.cardDraws.end();
+        report(*parts.shown);
+        return;
+    }
+    parts.cardDraws.begin();
+    // A timer lets the hand's events through first. A newer picture does this anew.
+    QTimer::singleShot(0, this, [this, picture = parts.shown] {
+        if (picture != m_parts->shown) return;
+        if (m_parts->scene.cardGoesOn()) render(false);
+        reportOnceDrawn();
+    });
 }
 
 /// A drag changes caption and lines with every move of the hand. If the drag also changes the picture, draw picture,
@@ -219,7 +241,9 @@ void VolumeViewWidget::render(bool followsHand) {
     if (!parts.window->isExposed()) return;
     QElapsedTimer timer;
     timer.start();
+    if (parts.shown->byCard && !parts.shown->followsHand) parts.scene.setCardPatience(CardRenderer::bandMilliseconds);
     parts.renderWindow->Render();
+    parts.scene.setCardPatience(std::numeric_limits<double>::infinity());
     parts.meter->rendered(static_cast<double>(timer.nsecsElapsed()) * 1e-6, followsHand);
     // Only after a drawing is it known that there is a graphics card, or that it failed.
     const bool byCard = parts.scene.rendererInUse() == RendererChoice::graphicsCard;
@@ -238,7 +262,10 @@ void VolumeViewWidget::report(const CastPicture& picture) {
                          .drawMilliseconds = parts.meter->drawingMilliseconds(),
                          .framesPerSecond = parts.meter->framesPerSecond()};
     // What the casting thread did was only to prepare.
-    if (picture.byCard) report.castMilliseconds += parts.scene.cardMilliseconds();
+    if (picture.byCard) {
+        parts.caster.drawnByCard(picture.settings, parts.scene.cardMilliseconds());
+        report.castMilliseconds += parts.scene.cardMilliseconds();
+    }
     emit pictureDelivered(report);
 }
 

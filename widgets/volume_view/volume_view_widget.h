@@ -44,8 +44,8 @@ struct PictureReport {
 /// Shows the ray caster's pictures of a volume in VTK's scene, with an orientation marker and a scale bar. Another
 /// thread makes the pictures: quick ones first. Better ones follow, up to the converged picture, while nothing newer
 /// waits (see ProgressiveCaster). This thread never waits for one. On the screen picture, camera, marker and scale bar
-/// always belong together. An unchanged view costs nothing. If a graphics card draws instead, it does so in this thread,
-/// and the other one prepares what it draws.
+/// always belong together. An unchanged view costs nothing. If a graphics card draws instead, it does so in this
+/// thread, and the other one prepares what it draws.
 ///
 /// Mouse: left drag orbits, middle or Shift + left drag pans, wheel (about the cursor) or right drag zooms, Ctrl + left
 /// drag moves the light if there is one; Escape ends a drag without change. Keys: Ctrl + arrows orbit by 1°, with Shift
@@ -207,6 +207,7 @@ private:
     [[nodiscard]] bool isByCard() const;
     void showPicture(const std::shared_ptr<const CastPicture>& picture);
     void render(bool followsHand);
+    void reportOnceDrawn();
     void redrawSoon();
     void redrawWithoutPicture();
     void report(const CastPicture& picture);

@@ -32,7 +32,8 @@ CardWindow::~CardWindow() { m_renderer.release(m_window); }
 
 bool CardWindow::draw(const std::shared_ptr<const CardPicture>& picture) {
     m_window->MakeCurrent();
-    return m_renderer.draw(*vtkOpenGLRenderWindow::SafeDownCast(m_window), picture, m_known);
+    return m_renderer.draw(*vtkOpenGLRenderWindow::SafeDownCast(m_window), picture, m_known) ==
+           CardRenderer::Drawing::done;
 }
 
 }  // namespace echolucent::bench

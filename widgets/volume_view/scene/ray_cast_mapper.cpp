@@ -141,9 +141,12 @@ void RayCastMapper::upload(vtkOpenGLRenderWindow* window) {
 
 /// False if there is nothing to show.
 bool RayCastMapper::prepareShown(vtkOpenGLRenderWindow* window, Shown& shown) {
-    if (m_cardPicture && m_card->draw(*window, m_cardPicture, m_known)) {
-        m_picture = nullptr;
-        const RayCastSettings& settings = m_cardPicture->settings;
+    using Drawing = CardRenderer::Drawing;
+    const Drawing drawing =
+        m_cardPicture ? m_card->draw(*window, m_cardPicture, m_known, m_patienceMilliseconds) : Drawing::failed;
+    if (drawing == Drawing::done) m_picture = nullptr;
+    if (drawing != Drawing::failed && !m_picture && m_card->drawn()) {
+        const RayCastSettings& settings = m_card->drawn()->settings;
         shown = {&m_card->colours(), settings.findDepth ? &m_card->depths() : nullptr, settings.width, settings.height};
         return true;
     }

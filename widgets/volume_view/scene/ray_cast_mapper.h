@@ -4,6 +4,7 @@
 
 #include <vtkVolumeMapper.h>
 
+#include <limits>
 #include <memory>
 
 #include "processing/picture/screen_picture.h"
@@ -33,8 +34,10 @@ public:
 
         /// Sets the picture that is drawn from now on. Null draws nothing.
         void setPicture(std::shared_ptr<const ScreenPicture> picture);
-    /// Lets the card draw from now on. If it fails, the picture before stays.
+    /// Lets the card draw from now on. The picture before stays until the card is done, and if it fails.
     void setCardPicture(std::shared_ptr<const CardPicture> picture, std::shared_ptr<const KnownCardPicture> known);
+    /// How long the card may draw in one drawing of the window; at first without end.
+    void setCardPatience(double milliseconds) { m_patienceMilliseconds = milliseconds; }
     [[nodiscard]] CardRenderer& card() { return *m_card; }
     [[nodiscard]] const CardRenderer& card() const { return *m_card; }
     /// Another card in place of the one there is, for tests.
@@ -68,6 +71,7 @@ private:
     std::shared_ptr<const CardPicture> m_cardPicture;  ///< null if the picture is shown
     std::shared_ptr<const KnownCardPicture> m_known;
     std::unique_ptr<CardRenderer> m_card;
+    double m_patienceMilliseconds = std::numeric_limits<double>::infinity();
     bool m_uploaded = false;
     std::unique_ptr<OpenGl> m_openGl;
 };

@@ -111,6 +111,10 @@ void VolumeScene::forgetCard() { m_mapper->card().forget(); }
 
 void VolumeScene::setCardAnswers(const CardAnswers& answers) { m_mapper->setCardAnswers(answers); }
 
+void VolumeScene::setCardPatience(double milliseconds) { m_mapper->setCardPatience(milliseconds); }
+
+bool VolumeScene::cardGoesOn() const { return m_mapper->card().goesOn(); }
+
 double VolumeScene::cardMilliseconds() const {
     return m_mapper->card().uploadMilliseconds() + m_mapper->card().drawMilliseconds();
 }

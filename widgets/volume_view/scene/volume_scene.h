@@ -85,6 +85,10 @@ public:
     void setCardAnswers(const CardAnswers& answers);
     /// True if OpenGL is known and is no software.
     [[nodiscard]] bool graphicsCardAtHand() const;
+    /// How long the card may draw in one drawing of the window; at first without end.
+    void setCardPatience(double milliseconds);
+    /// Whether the card's picture is not done. The next drawing goes on with it. The picture before is shown meanwhile.
+    [[nodiscard]] bool cardGoesOn() const;
     /// The time that the newest picture of the card took in this thread.
     [[nodiscard]] double cardMilliseconds() const;
 

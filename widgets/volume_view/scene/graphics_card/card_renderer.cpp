@@ -11,6 +11,7 @@
 #include <vtkTextureObject.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -31,6 +32,7 @@ double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
+constexpr const char* lostSentence = "The graphics card was lost while it drew, so the software draws.";
 constexpr float nowhere = 1e30f;  // the shader writes more where a pixel has no depth
 
 /// The most steps that a ray of a picture may have.
@@ -54,20 +56,28 @@ std::vector<float> pixelsOf(vtkTextureObject& texture, int components) {
 struct CardRenderer::OpenGl {
     CardTextures textures;
     vtkNew<vtkOpenGLFramebufferObject> frame;
-    vtkNew<vtkTextureObject> colours, depths;
+    /// What a picture is drawn into. While one is drawn, the newest one that is done stays.
+    struct Target {
+        vtkNew<vtkTextureObject> colours, depths;
+    };
+    std::array<Target, 2> targets;
+    std::size_t done = 0;  ///< the target of the newest picture that is done
     std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> programs;  ///< by their source
+    vtkOpenGLQuadHelper* program = nullptr;                                ///< the one in use
+    Target& next() { return targets[1 - done]; }
 };
 
 CardRenderer::CardRenderer(CardAnswers answers) : m_answers(std::move(answers)), m_openGl(std::make_unique<OpenGl>()) {}
 CardRenderer::~CardRenderer() = default;
 
-vtkTextureObject& CardRenderer::colours() { return *m_openGl->colours; }
-vtkTextureObject& CardRenderer::depths() { return *m_openGl->depths; }
+vtkTextureObject& CardRenderer::colours() { return *m_openGl->targets[m_openGl->done].colours; }
+vtkTextureObject& CardRenderer::depths() { return *m_openGl->targets[m_openGl->done].depths; }
 int CardRenderer::volumesBrought() const { return m_openGl->textures.volumesBrought(); }
 
 void CardRenderer::setReading(CardReading reading) {
     m_reading = reading;
     m_drawn = nullptr;
+    m_begun = {};
 }
 
 void CardRenderer::meet(vtkOpenGLRenderWindow& window) {
@@ -78,7 +88,8 @@ void CardRenderer::meet(vtkOpenGLRenderWindow& window) {
     m_window = &window;
     m_checked = false;
     m_drawn = nullptr;
-    m_samplesOfTile = firstSamplesOfTile;
+    m_begun = {};
+    m_samplesOfBand = firstSamplesOfBand;
     if (m_card.renderer != before) m_isWrong = false;
     if (!m_isWrong) m_failure.clear();
     m_openGl->textures.setKeptBytes(m_card.freeBytes > 0 ? m_card.freeBytes / 2 : std::int64_t{1} << 30);
@@ -91,6 +102,7 @@ void CardRenderer::forgetFailure() {
 bool CardRenderer::fail(std::string sentence) {
     m_failure = std::move(sentence);
     m_drawn = nullptr;
+    m_begun = {};
     return false;
 }
 
@@ -101,7 +113,7 @@ bool CardRenderer::failed(vtkOpenGLRenderWindow& window) {
             fail("The graphics card has too little memory for the picture, so the software draws it.");
             break;
         case CardError::contextLost:
-            fail("The graphics card was lost while it drew, so the software draws.");
+            fail(lostSentence);
             m_met = false;
             break;
         case CardError::other: fail("The graphics card's driver reported an error, so the software draws."); break;
@@ -109,23 +121,32 @@ bool CardRenderer::failed(vtkOpenGLRenderWindow& window) {
     return true;
 }
 
-bool CardRenderer::draw(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture,
-                        const std::shared_ptr<const KnownCardPicture>& known) {
+CardRenderer::Drawing CardRenderer::draw(vtkOpenGLRenderWindow& window,
+                                         const std::shared_ptr<const CardPicture>& picture,
+                                         const std::shared_ptr<const KnownCardPicture>& known,
+                                         double patienceMilliseconds) {
     meet(window);
-    if (!m_failure.empty()) return false;
-    if (m_drawn == picture) return true;
-    m_drawn = nullptr;
-    if (m_answers.error(window) == CardError::contextLost)  // other errors are of whoever drew before
-        return fail("The graphics card was lost while it drew, so the software draws.");
-    if (!m_checked && !check(window, *known)) return false;
-    if (!drawChecked(window, *picture)) return false;
-    m_drawn = picture;
-    return true;
+    if (!m_failure.empty()) return Drawing::failed;
+    if (m_drawn == picture) {
+        m_begun = {};
+        return Drawing::done;
+    }
+    const Time until = std::isfinite(patienceMilliseconds)
+                           ? Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                std::chrono::duration<double, std::milli>(patienceMilliseconds))
+                           : Time::max();
+    // Other errors are of whoever drew before.
+    const bool lost = m_answers.error(window) == CardError::contextLost;
+    if (lost) fail(lostSentence);
+    if (lost || (!m_checked && !check(window, known))) return Drawing::failed;
+    if (m_begun.picture != picture && !begin(window, picture)) return Drawing::failed;
+    return goOn(window, until);
 }
 
-bool CardRenderer::check(vtkOpenGLRenderWindow& window, const KnownCardPicture& known) {
-    if (!drawChecked(window, known.picture)) return false;
-    const double levels = levelsBetween(m_answers.drewKnownPicture(read()), known.expected);
+bool CardRenderer::check(vtkOpenGLRenderWindow& window, const std::shared_ptr<const KnownCardPicture>& known) {
+    const std::shared_ptr<const CardPicture> picture(known, &known->picture);
+    if (!begin(window, picture) || goOn(window, Time::max()) != Drawing::done) return false;
+    const double levels = levelsBetween(m_answers.drewKnownPicture(read()), known->expected);
     m_checked = levels <= KnownCardPicture::tolerance;
     m_isWrong = !m_checked;
     if (m_checked) return true;
@@ -146,19 +167,27 @@ bool CardRenderer::prepareTargets(vtkOpenGLRenderWindow& window, const RayCastSe
         texture.SetMagnificationFilter(vtkTextureObject::Nearest);
         return texture.Allocate2D(width, height, components, VTK_FLOAT);
     };
-    return prepare(colours(), 4) && (!settings.findDepth || prepare(depths(), 1));
+    OpenGl::Target& target = m_openGl->next();
+    return prepare(*target.colours, 4) && (!settings.findDepth || prepare(*target.depths, 1));
 }
 
-bool CardRenderer::drawChecked(vtkOpenGLRenderWindow& window, const CardPicture& picture) {
-    auto begin = Clock::now();
-    if (!m_openGl->textures.bring(window, picture) || !prepareTargets(window, picture.settings)) {
+bool CardRenderer::begin(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture) {
+    const auto begin = Clock::now();
+    m_begun = {};
+    if (!m_openGl->textures.bring(window, *picture) || !prepareTargets(window, picture->settings)) {
         if (!failed(window)) fail("The graphics card cannot hold the volume, so the software draws it.");
         return false;
     }
     if (failed(window)) return false;
     m_uploadMilliseconds = millisecondsSince(begin);
-    begin = Clock::now();
-    m_tiles = 0;
+    m_drawMilliseconds = 0.0;
+    m_bands = 0;
+    m_begun.picture = picture;
+    return true;
+}
+
+CardRenderer::Drawing CardRenderer::goOn(vtkOpenGLRenderWindow& window, Time until) {
+    const auto begin = Clock::now();
     vtkOpenGLState* state = window.GetState();
     vtkOpenGLState::ScopedglDepthMask keepDepthMask(state);
     vtkOpenGLState::ScopedglColorMask keepColourMask(state);
@@ -170,20 +199,32 @@ bool CardRenderer::drawChecked(vtkOpenGLRenderWindow& window, const CardPicture&
     vtkOpenGLState::ScopedglViewport keepViewport(state);
     vtkOpenGLState::ScopedglClearColor keepClearColour(state);
     state->PushFramebufferBindings();
-    const RayCastSettings& settings = picture.settings;
+    const RayCastSettings& settings = m_begun.picture->settings;
     const double share = settings.mode == RenderMode::direct ? settings.mixing.share : 0.0;
-    bool drawn = drawWith(window, picture, settings, 1.0 - share);
-    if (drawn && share > 0.0) drawn = drawWith(window, picture, mixedIn(settings), share);
+    bool whole = false, able = true;
+    if (!m_begun.mixesIn) {
+        able = prepareProgram(window, settings);
+        whole = able && drawBands(window, settings, 1.0 - share, until);
+        m_begun.mixesIn = whole && share > 0.0;
+        if (m_begun.mixesIn) m_begun.nextRow = 0;
+    }
+    if (able && m_begun.mixesIn) {
+        const RayCastSettings other = mixedIn(settings);
+        able = prepareProgram(window, other);
+        whole = able && drawBands(window, other, share, until);
+    }
     m_openGl->frame->UnBind();
     state->PopFramebufferBindings();
-    if (failed(window)) return false;
-    m_drawMilliseconds = millisecondsSince(begin);
-    return drawn;
+    if (!able || failed(window)) return Drawing::failed;
+    m_drawMilliseconds += millisecondsSince(begin);
+    if (!whole) return Drawing::goesOn;
+    m_openGl->done = 1 - m_openGl->done;
+    m_drawn = std::exchange(m_begun, {}).picture;
+    return Drawing::done;
 }
 
-bool CardRenderer::drawWith(vtkOpenGLRenderWindow& window, const CardPicture& picture, const RayCastSettings& settings,
-                            double weight) {
-    const std::string source = m_answers.shaderSource(cardShader(picture, settings, m_reading));
+bool CardRenderer::prepareProgram(vtkOpenGLRenderWindow& window, const RayCastSettings& settings) {
+    const std::string source = m_answers.shaderSource(cardShader(*m_begun.picture, settings, m_reading));
     auto& program = m_openGl->programs[source];
     if (!program) {
         program = std::make_unique<vtkOpenGLQuadHelper>(&window, nullptr, source.c_str(), "");
@@ -192,69 +233,73 @@ bool CardRenderer::drawWith(vtkOpenGLRenderWindow& window, const CardPicture& pi
     }
     if (!program->Program || !program->Program->GetCompiled())
         return fail("The graphics card's driver does not understand the shader, so the software draws.");
-
-    const bool isMixedIn = settings.mode != picture.settings.mode;
+    m_openGl->program = program.get();
     vtkOpenGLFramebufferObject& frame = *m_openGl->frame;
-    vtkOpenGLState* state = window.GetState();
+    OpenGl::Target& target = m_openGl->next();
     frame.SetContext(&window);
     frame.Bind();
-    frame.AddColorAttachment(0, &colours());
+    frame.AddColorAttachment(0, target.colours);
     if (settings.findDepth)
-        frame.AddColorAttachment(1, &depths());
+        frame.AddColorAttachment(1, target.depths);
     else
         frame.RemoveColorAttachment(1);
     frame.ActivateDrawBuffers(settings.findDepth ? 2 : 1);
     const char* problem = nullptr;
-    if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(vtkOpenGLFramebufferObject::GetDrawMode(), problem))
-        return fail("The graphics card cannot draw into single precision, so the software draws.");
+    return vtkOpenGLFramebufferObject::GetFrameBufferStatus(vtkOpenGLFramebufferObject::GetDrawMode(), problem) ||
+           fail("The graphics card cannot draw into single precision, so the software draws.");
+}
+
+/// False if time is up before the picture is whole.
+bool CardRenderer::drawBands(vtkOpenGLRenderWindow& window, const RayCastSettings& settings, double weight,
+                             Time until) {
+    const CardPicture& picture = *m_begun.picture;
+    vtkShaderProgram& program = *m_openGl->program->Program;
+    vtkOpenGLState* state = window.GetState();
     state->vtkglViewport(0, 0, settings.width, settings.height);
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    if (isMixedIn) {
+    const ray_casting::RayGeometry::PixelBox whole{0, settings.width, 0, settings.height};
+    const auto box = settings.findDepth ? whole : picture.pixels;  // every pixel must tell its depth
+    if (m_begun.mixesIn) {
         state->vtkglEnable(GL_BLEND);
         state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     } else {
         state->vtkglDisable(GL_BLEND);
         state->vtkglDisable(GL_SCISSOR_TEST);
         state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-        state->vtkglClear(GL_COLOR_BUFFER_BIT);
+        if (m_begun.nextRow == 0) state->vtkglClear(GL_COLOR_BUFFER_BIT);
     }
-    setCardUniforms(*program->Program, picture, settings, weight);
-    m_openGl->textures.bind(picture, *program->Program);
+    setCardUniforms(program, picture, settings, weight);
+    m_openGl->textures.bind(picture, program);
     state->vtkglEnable(GL_SCISSOR_TEST);
-    const ray_casting::RayGeometry::PixelBox whole{0, settings.width, 0, settings.height};
-    const auto box = settings.findDepth ? whole : picture.pixels;  // every pixel must tell its depth
-    const double steps = mostSteps(picture, settings);
-    for (int row = box.firstRow; row < box.lastRow;) {
-        const double pixels = std::max(m_samplesOfTile / steps, 256.0);
-        const int columns = std::min(box.lastColumn - box.firstColumn, static_cast<int>(std::min(pixels, 1e5)));
-        const int rows = std::clamp(static_cast<int>(pixels / std::max(columns, 1)), 1, box.lastRow - row);
-        for (int column = box.firstColumn; column < box.lastColumn; column += columns) {
-            const auto begin = Clock::now();
-            const int width = std::min(columns, box.lastColumn - column);
-            state->vtkglScissor(column, row, width, rows);
-            program->Render();
-            window.WaitForCompletion();
-            ++m_tiles;
-            const double perMillisecond = steps * width * rows / std::max(millisecondsSince(begin), 1e-3);
-            m_samplesOfTile =
-                std::clamp(perMillisecond * tileMilliseconds, m_samplesOfTile / 4.0, m_samplesOfTile * 4.0);
-        }
+    const int columns = box.lastColumn - box.firstColumn;
+    const double samplesOfRow = mostSteps(picture, settings) * std::max(columns, 1);
+    int& row = m_begun.nextRow;
+    for (row = std::max(row, box.firstRow); row < box.lastRow && columns > 0;) {
+        const auto begin = Clock::now();
+        const int rows = static_cast<int>(std::clamp(m_samplesOfBand / samplesOfRow, 1.0, box.lastRow - row + 0.0));
+        state->vtkglScissor(box.firstColumn, row, columns, rows);
+        m_openGl->program->Render();
+        window.WaitForCompletion();
+        ++m_bands;
         row += rows;
+        const double perMillisecond = samplesOfRow * rows / std::max(millisecondsSince(begin), 1e-3);
+        m_samplesOfBand = std::clamp(perMillisecond * bandMilliseconds, m_samplesOfBand / 4.0, m_samplesOfBand * 4.0);
+        if (Clock::now() >= until) break;  // each call draws a band at least
     }
     m_openGl->textures.unbind();
-    return true;
+    return row >= box.lastRow || columns <= 0;
 }
 
 Picture CardRenderer::read() const {
     Picture picture;
-    vtkTextureObject& colours = *m_openGl->colours;
-    picture.width = static_cast<int>(colours.GetWidth());
-    picture.height = static_cast<int>(colours.GetHeight());
-    picture.rgba = pixelsOf(colours, 4);
+    const OpenGl::Target& target = m_openGl->targets[m_openGl->done];
+    picture.width = static_cast<int>(target.colours->GetWidth());
+    picture.height = static_cast<int>(target.colours->GetHeight());
+    picture.rgba = pixelsOf(*target.colours, 4);
     if (!m_drawn || !m_drawn->settings.findDepth) return picture;
-    picture.depthMm = pixelsOf(*m_openGl->depths, 1);
+    picture.depthMm = pixelsOf(*target.depths, 1);
     for (float& depth : picture.depthMm)
         if (!(depth < nowhere)) depth = std::numeric_limits<float>::infinity();
     return picture;
@@ -263,10 +308,13 @@ Picture CardRenderer::read() const {
 void CardRenderer::release(vtkWindow* window) {
     m_openGl->textures.release(window);
     m_openGl->programs.clear();
-    m_openGl->colours->ReleaseGraphicsResources(window);
-    m_openGl->depths->ReleaseGraphicsResources(window);
+    for (OpenGl::Target& target : m_openGl->targets) {
+        target.colours->ReleaseGraphicsResources(window);
+        target.depths->ReleaseGraphicsResources(window);
+    }
     m_openGl->frame->ReleaseGraphicsResources(window);
     m_drawn = nullptr;
+    m_begun = {};
     m_met = false;
 }
 

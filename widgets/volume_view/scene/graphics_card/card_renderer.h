@@ -1,6 +1,8 @@
 // Draws pictures on a graphics card, into textures.
 #pragma once
 
+#include <chrono>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -16,8 +18,9 @@ namespace echolucent {
 
 /// Draws the picture of a CardPicture as castRays() casts it (docs/rendering.md, "On a graphics card"). Before the
 /// first picture in a context it draws a known one, and draws nothing if the card draws that wrongly. It draws a
-/// picture in tiles that each take about tileMilliseconds, because drivers end drawings that take seconds. Only the
-/// thread of the window may use it, and only while the window's context is current.
+/// picture in bands of rows that each take about bandMilliseconds, because drivers end drawings that take seconds. So a
+/// picture may also be drawn in several calls. Only the thread of the window may use it, and only while the window's
+/// context is current.
 class CardRenderer {
 public:
     explicit CardRenderer(CardAnswers answers = {});
@@ -32,15 +35,22 @@ public:
     /// The next meeting asks and checks the card anew, because another may have taken its place.
     void forget() { m_met = false; }
 
-    /// Draws a picture, unless it is the newest one drawn. False if something failed; failure() then says what, and
-    /// nothing is drawn any more before the failure is forgotten. `known` is not null.
-    bool draw(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture,
-              const std::shared_ptr<const KnownCardPicture>& known);
-    /// The newest picture drawn, rows from the top; premultiplied colours, and depths of 1e38 where there are none.
+    enum class Drawing { done, goesOn, failed };
+    /// Draws a picture, unless it is the newest one drawn. If that takes longer than `patienceMilliseconds`, the next
+    /// call with the same picture goes on with it. If something failed, failure() says what, and nothing is drawn any
+    /// more before the failure is forgotten. `known` is not null.
+    Drawing draw(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture,
+                 const std::shared_ptr<const KnownCardPicture>& known,
+                 double patienceMilliseconds = std::numeric_limits<double>::infinity());
+    /// Whether a picture was begun and is not done.
+    [[nodiscard]] bool goesOn() const { return m_begun.picture != nullptr; }
+    /// The newest picture that is done; null if there is none. It stays while another is drawn.
+    [[nodiscard]] const std::shared_ptr<const CardPicture>& drawn() const { return m_drawn; }
+    /// Its pixels, rows from the top: premultiplied colours, and depths of 1e38 where there are none.
     [[nodiscard]] vtkTextureObject& colours();
     /// Only if the settings asked for depths.
     [[nodiscard]] vtkTextureObject& depths();
-    /// The newest picture drawn, read back.
+    /// The same, read back.
     [[nodiscard]] Picture read() const;
 
     /// A sentence that says why the card does not draw; empty if it may.
@@ -50,25 +60,33 @@ public:
     /// Wall time of the newest picture: bringing it to the card, and drawing it.
     [[nodiscard]] double uploadMilliseconds() const { return m_uploadMilliseconds; }
     [[nodiscard]] double drawMilliseconds() const { return m_drawMilliseconds; }
-    /// Tiles of the newest picture.
-    [[nodiscard]] int tiles() const { return m_tiles; }
+    /// Bands of the newest picture.
+    [[nodiscard]] int bands() const { return m_bands; }
     /// How often a volume's voxels were brought to the card.
     [[nodiscard]] int volumesBrought() const;
 
     void setReading(CardReading reading);
-    /// Samples that the first tile may have. Later ones follow the measured time.
-    void setSamplesOfTile(double samples) { m_samplesOfTile = samples; }
-    static constexpr double tileMilliseconds = 30.0;
+    /// Samples that the first band may have. Later ones follow the measured time.
+    void setSamplesOfBand(double samples) { m_samplesOfBand = samples; }
+    static constexpr double bandMilliseconds = 30.0;
 
     void release(vtkWindow* window);
 
 private:
     struct OpenGl;
-    bool check(vtkOpenGLRenderWindow& window, const KnownCardPicture& known);
-    bool drawChecked(vtkOpenGLRenderWindow& window, const CardPicture& picture);
+    /// A picture that is being drawn.
+    struct Begun {
+        std::shared_ptr<const CardPicture> picture;
+        bool mixesIn = false;  ///< whether the picture is there and the other mode is mixed into it
+        int nextRow = 0;
+    };
+    using Time = std::chrono::steady_clock::time_point;
+    bool check(vtkOpenGLRenderWindow& window, const std::shared_ptr<const KnownCardPicture>& known);
+    bool begin(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture);
+    Drawing goOn(vtkOpenGLRenderWindow& window, Time until);
     bool prepareTargets(vtkOpenGLRenderWindow& window, const RayCastSettings& settings);
-    bool drawWith(vtkOpenGLRenderWindow& window, const CardPicture& picture, const RayCastSettings& settings,
-                  double weight);
+    bool prepareProgram(vtkOpenGLRenderWindow& window, const RayCastSettings& settings);
+    bool drawBands(vtkOpenGLRenderWindow& window, const RayCastSettings& settings, double weight, Time until);
     bool failed(vtkOpenGLRenderWindow& window);
     bool fail(std::string sentence);
 
@@ -79,10 +97,11 @@ private:
     bool m_met = false, m_checked = false, m_isWrong = false;
     std::string m_failure;
     std::shared_ptr<const CardPicture> m_drawn;
-    double m_samplesOfTile = firstSamplesOfTile;
-    static constexpr double firstSamplesOfTile = 1 << 22;
+    Begun m_begun;
+    double m_samplesOfBand = firstSamplesOfBand;
+    static constexpr double firstSamplesOfBand = 1 << 22;
     double m_uploadMilliseconds = 0.0, m_drawMilliseconds = 0.0;
-    int m_tiles = 0;
+    int m_bands = 0;
     std::unique_ptr<OpenGl> m_openGl;
 };
 
