@@ -52,12 +52,12 @@ if(CMAKE_UNITY_BUILD)
 endif()
 # Instruction sets for which no kernel is compiled. Vectors of SVE cannot be members of classes (ray_caster/packet_targets.h).
 # Processors that have SSSE3 and not SSE4 are of 2006 and 2007: they run what every processor can.
-set(disabled_targets "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_SSSE3")
+set(disabled_targets "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128|HWY_SSSE3|HWY_AVX3_DL")
 if(ECHOLUCENT_SANITIZE)
     # What every processor has and AVX2 stand for the others, whose kernels come from the same lines and would compile for
     # minutes; the release build tests all that the machine has.
     add_compile_definitions(ECHOLUCENT_SANITIZED)
-    string(APPEND disabled_targets "|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL")
+    string(APPEND disabled_targets "|HWY_SSE4|HWY_AVX3")
     # g++ says itself which sanitizer there is.
     if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND ECHOLUCENT_SANITIZE MATCHES "address|thread")
         string(TOUPPER __SANITIZE_${CMAKE_MATCH_0}__ macro)

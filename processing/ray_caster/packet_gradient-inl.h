@@ -59,14 +59,13 @@ constexpr std::ptrdiff_t placeSlice =
 HWY_INLINE Gradient gradientBetween(const GradientAddresses& addresses, const Position& at, float quantum) {
     const auto share = [](IntVector position) { return (position.raw & 0xFFFF) >> 1; };
     const int shareX = share(at.x), shareY = share(at.y) >> 8, shareZ = share(at.z);
-    const auto fixed = [](int from, int to, int by) { return from + (((to - from) * by + (1 << 14)) >> 15); };
     const auto component = [&](int axis) {
         const auto alongX = [&](int x) {
             const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - shareY) + two[1] * shareY; };
             const std::uint8_t* const near = addresses.of[0] + x * GradientPlaces::bytesPerPlace + 2 * axis;
-            return fixed(alongY(near), alongY(near + placeSlice), shareZ);
+            return fixedBetween(alongY(near), alongY(near + placeSlice), shareZ);
         };
-        const int mean = fixed(alongX(0), alongX(1), shareX);
+        const int mean = fixedBetween(alongX(0), alongX(1), shareX);
         return hn::Mul(set(static_cast<float>(mean - GradientPlaces::zero * 127)), set(quantum / 127.0f));
     };
     return {component(0), component(1), component(2)};
@@ -112,16 +111,13 @@ HWY_INLINE Gradient gradientBetween(const GradientAddresses& addresses, const Po
     const FourDwords near = loadFour(addresses, 0), far = loadFour(addresses, placeSlice);
     const auto shareX = wordShares(at.x), shareZ = wordShares(at.z);
     const auto shareY = byteShares(at.y);
-    const auto fixed = [](hn::Vec<Words> from, hn::Vec<Words> to, hn::Vec<Words> by) {
-        return hn::Add(from, hn::MulFixedPoint15(hn::Sub(to, from), by));
-    };
     const auto alongZ = [&](int dword) {
-        return fixed(pairSums(near.of[dword], shareY), pairSums(far.of[dword], shareY), shareZ);
+        return fixedBetween(pairSums(near.of[dword], shareY), pairSums(far.of[dword], shareY), shareZ);
     };
     // Dwords 0 and 1 belong to x, 2 and 3 to x + 1. Each holds two components.
     const Ints ints;
-    const auto xAndY = hn::BitCast(ints, fixed(alongZ(0), alongZ(2), shareX)),
-               zAndNone = hn::BitCast(ints, fixed(alongZ(1), alongZ(3), shareX));
+    const auto xAndY = hn::BitCast(ints, fixedBetween(alongZ(0), alongZ(2), shareX)),
+               zAndNone = hn::BitCast(ints, fixedBetween(alongZ(1), alongZ(3), shareX));
     const auto component = [&](IntVector word) {
         return hn::Mul(hn::ConvertTo(Floats(), hn::Sub(word, set(GradientPlaces::zero * 127))), set(quantum / 127.0f));
     };

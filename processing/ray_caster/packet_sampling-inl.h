@@ -35,7 +35,7 @@ HWY_INLINE IntVector set(std::int32_t value) { return hn::Set(Ints(), value); }
 /// Rounds numbers that fit into 32 bits towards zero. Highway's ConvertTo also handles others, with four instructions
 /// more.
 HWY_INLINE IntVector truncated(FloatVector value) {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET == HWY_AVX3
     return IntVector{_mm512_cvttps_epi32(value.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return IntVector{_mm256_cvttps_epi32(value.raw)};
@@ -48,7 +48,7 @@ HWY_INLINE IntVector truncated(FloatVector value) {
 
 /// Rounds numbers that fit into 32 bits to the nearest.
 HWY_INLINE IntVector rounded(FloatVector value) {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET == HWY_AVX3
     return IntVector{_mm512_cvtps_epi32(value.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return IntVector{_mm256_cvtps_epi32(value.raw)};
@@ -106,6 +106,9 @@ HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, Lane
     return set(four);
 }
 
+/// Between two numbers, with a share of 15 bits.
+HWY_INLINE int fixedBetween(int from, int to, int share) { return from + (((to - from) * share + (1 << 14)) >> 15); }
+
 struct CubeOfBytes {
     const std::uint8_t *near, *far;
     int shareX, shareY, shareZ;
@@ -121,7 +124,7 @@ HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
     const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - cube.shareY) + two[1] * cube.shareY; };
     const auto alongZ = [&](int voxel) {
         const int near = alongY(cube.near + voxel), far = alongY(cube.far + voxel);
-        return near + (((far - near) * cube.shareZ + (1 << 14)) >> 15);
+        return fixedBetween(near, far, cube.shareZ);
     };
     return set(static_cast<float>(alongZ(0) * (32767 - cube.shareX) + alongZ(voxelsPerCube) * cube.shareX));
 }
@@ -164,7 +167,7 @@ HWY_INLINE hn::Vec<Bytes> byteShares(IntVector position) {
 }
 /// Sums of two neighbouring products.
 HWY_INLINE hn::Vec<Words> pairSums(hn::Vec<Bytes> values, hn::Vec<Bytes> shares) {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET == HWY_AVX3
     return hn::Vec<Words>{_mm512_maddubs_epi16(values.raw, shares.raw)};
 #elif HWY_TARGET == HWY_AVX2
     return hn::Vec<Words>{_mm256_maddubs_epi16(values.raw, shares.raw)};
@@ -190,7 +193,7 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
 /// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. What
 /// other lanes get must not matter: 0, or on some machines the first cube's bytes.
 HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET == HWY_AVX3
     return hn::Vec<Bytes>{
         _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cubes, voxelsPerCube)};
 #elif HWY_TARGET == HWY_AVX2
@@ -204,6 +207,11 @@ HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offse
 }
 HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
     return hn::BitCast(Ints(), gatherCubes(cubes, offset, active));
+}
+
+/// Between two numbers, with a share of 15 bits.
+HWY_INLINE hn::Vec<Words> fixedBetween(hn::Vec<Words> from, hn::Vec<Words> to, hn::Vec<Words> share) {
+    return hn::Add(from, hn::MulFixedPoint15(hn::Sub(to, from), share));
 }
 
 /// The eight bytes around a position in each lane, and their shares.
@@ -230,7 +238,7 @@ HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t slice
 HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
     const auto near = pairSums(cube.near, cube.shareY), far = pairSums(cube.far, cube.shareY);
     // The low half of each dword belongs to x, the high half to x + 1.
-    const auto slices = hn::Add(near, hn::MulFixedPoint15(hn::Sub(far, near), cube.shareZ));
+    const auto slices = fixedBetween(near, far, cube.shareZ);
     return hn::ConvertTo(Floats(), pairSums(slices, cube.shareX));
 }
 

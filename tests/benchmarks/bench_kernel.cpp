@@ -1,6 +1,6 @@
 // echolucent-bench-kernel: nanoseconds a sample, ours alone (Google Benchmark). Every sample inside the volume is
 // taken: no ray ends early and nothing is skipped, so that a figure says what the kernel costs and not what it leaves
-// out.
+// out. The floors are the same rays and samples without all that makes a picture of them.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "processing/phantom/phantom.h"
 #include "processing/ray_caster/ray_caster.h"
+#include "tests/benchmarks/kernel_floor.h"
 
 namespace {
 
@@ -135,6 +136,31 @@ void editCurves(benchmark::State& state) {
     state.counters["kept_bytes"] = static_cast<double>(caster.keptSampleBytes());
 }
 
+/// The same rays and samples, and nothing of a picture: the least that a sample may cost.
+template <bench::FloorOf floor>
+void takeSamples(benchmark::State& state) {
+    constexpr Depth depth = floor == bench::FloorOf::gradient ? Depth::shallow : Depth::usual;
+    const auto volume = volumeOf<std::uint8_t>(depth);
+    const VolumeGeometry& geometry = volume->geometry();
+    const RayCastSettings settings = settingsOf(*volume, 0.0);
+    using namespace ray_casting;
+    const auto packed = std::make_shared<const PackedVoxels<std::uint8_t>>(*volume);
+    const RayGeometry rays(geometry, settings);
+    const LightSource light = lightSource(Shading{}, geometry, settings.camera.frame, settings.colourMap);
+    const GradientPlaces places(packed, geometry, PackedVoxels<std::uint8_t>::toTable(volume->whiteLevel()),
+                                *GradientRule::of(light, Shading{}.gradientFloor));
+    Picture picture = emptyPicture(settings.width, settings.height);
+    KernelJob<std::uint8_t> job;
+    job.voxels = packed.get();
+    job.geometry = geometry;
+    job.rays = &rays;
+    job.light = &light;
+    job.gradients = &places;
+    job.picture = &picture;
+    for (auto _ : state) benchmark::DoNotOptimize(bench::sumOfSamples(job, floor));
+    countSamples(state, *volume, settings);
+}
+
 /// This is done once a volume: a caster is made, and its first picture of one pixel, since some of the work may wait
 /// for that.
 template <typename Voxel>
@@ -152,6 +178,8 @@ void registerAll() {
     const auto add = [](const char* name, void (*function)(benchmark::State&)) {
         benchmark::RegisterBenchmark(name, function)->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
     };
+    add("floor of unshaded/uint8", takeSamples<bench::FloorOf::value>);
+    add("floor of shaded/uint8", takeSamples<bench::FloorOf::gradient>);
     add("unshaded/uint8", castPictures<std::uint8_t, Kind::unshaded>);
     add("unshaded/uint16", castPictures<std::uint16_t, Kind::unshaded>);
     add("unshaded/float32", castPictures<float, Kind::unshaded>);

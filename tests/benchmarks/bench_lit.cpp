@@ -88,8 +88,14 @@ void printRows(const std::string& name, const Opened& opened, const Options& opt
                 milliseconds.push_back(cost.wallMs - lit.back());
                 cpu.push_back(cost.cpuMs);
             }
-            fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} |", name, edge, nameOf(light), medianOf(milliseconds),
-                       medianOf(lit), medianOf(cpu));
+            RayCastSettings every = settingsOf(opened, light, edge, 0.0, options.tolerance);
+            const Picture some = *caster.cast(opened.curve, every);
+            const double share = caster.castShare();
+            every.pixelTolerance = 0.0;
+            const PictureError between = pictureError(some, *castRays(*opened.quiet, opened.curve, every));
+            fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} | {:.2f} | {:.1f} |", name, edge,
+                       nameOf(light), medianOf(milliseconds), medianOf(lit), medianOf(cpu), 100.0 * share, between.rmse,
+                       between.largest);
             if (options.errorEdge > 0) {
                 const RayCastSettings settings = settingsOf(opened, light, options.errorEdge, 0.0, options.tolerance);
                 const PlainCasting plain{.leastLitOpacity = ray_casting::LightSource::worthGradient * settings.step};
@@ -123,9 +129,12 @@ int main(int count, char** arguments) {
     app.add_option("--error-size", options.errorEdge,
                    "pixels along each edge of a picture that is compared with the plain route");
     CLI11_PARSE(app, count, arguments);
-    fmt::print("| volume | pixels | light | ms but for the light volume | ms of the light volume | CPU ms |{}\n",
-               options.errorEdge > 0 ? " RMSE | largest |" : "");
-    fmt::print("| --- | --- | --- | --- | --- | --- |{}\n", options.errorEdge > 0 ? " --- | --- |" : "");
+    fmt::print(
+        "| volume | pixels | light | ms but for the light volume | ms of the light volume | CPU ms | rays, % | RMSE "
+        "from every pixel cast | largest |{}\n",
+        options.errorEdge > 0 ? " RMSE from the plain route | largest |" : "");
+    fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |{}\n",
+               options.errorEdge > 0 ? " --- | --- |" : "");
     if (phantom > 0) {
         PhantomConfig config = defaultPhantom(PhantomScene::fetus);
         config.size = {phantom, phantom, phantom};
