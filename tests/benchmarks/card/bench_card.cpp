@@ -22,7 +22,7 @@ using namespace echolucent::bench;
 struct Plan {
     std::vector<std::string> files, sizes, parts{"pictures", "speed"};
     std::vector<int> edges;
-    ComparisonPlan comparison{.views = 0, .pictures = {}};
+    ComparisonPlan comparison{.views = 0, .plainly = false, .pictures = {}};
     SpeedPlan speed{.frames = 0};
     int edge = 64, pixels = 0;
     std::string only;
@@ -90,6 +90,7 @@ int main(int count, char** arguments) {
         ->capture_default_str();
     app.add_option("--pixels", plan.pixels, "Pixels along an edge of compared pictures")->check(CLI::Range(16, 4096));
     app.add_option("--only", plan.only, "Only cases with these words in volume and look");
+    app.add_flag("--plainly", plan.comparison.plainly, "Compares with the slow, obvious route of the processor");
     app.add_option("--pictures", plan.comparison.pictures, "A folder for the pictures that are farthest off");
     app.add_option("--edges", plan.edges, "Voxels along an edge of the volumes whose speed is measured")
         ->check(CLI::Range(16, 1024));

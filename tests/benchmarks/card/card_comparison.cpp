@@ -8,6 +8,8 @@
 #include <fstream>
 
 #include "processing/card_picture/card_pictures.h"
+#include "processing/ray_caster/light_source.h"
+#include "processing/ray_caster/plain/plain_caster.h"
 #include "processing/ray_caster/ray_caster.h"
 
 namespace echolucent::bench {
@@ -26,6 +28,13 @@ void write(const std::string& path, const Picture& processor, const Picture& car
         for (std::size_t i = y * row; i < (y + 1) * row; ++i)
             file.put(static_cast<char>(std::clamp(128 + 8 * (other[i] - one[i]), 0, 255)));
     }
+}
+
+/// With the light of castRays() on steps that add little.
+Picture castPlainly(const CardCase& one, const RayCastSettings& settings) {
+    PlainCasting casting;
+    casting.leastLitOpacity = ray_casting::LightSource::worthGradient * std::min(1.0, settings.step);
+    return castRaysPlainly(*one.voxels, one.classification, settings, casting).value();
 }
 
 std::string fileNameOf(const CardCase& one, CardReading reading) {
@@ -91,7 +100,9 @@ bool compareCases(CardWindow& window, const std::vector<CardCase>& cases, const 
             RayCastSettings settings = one.settings;
             settings.camera =
                 cameraAround(*volume, view, plan.views, static_cast<double>(settings.width) / settings.height);
-            const Picture processor = RayCaster(caster->sharing()).cast(one.classification, settings).value();
+            const Picture processor = plan.plainly
+                                          ? castPlainly(one, settings)
+                                          : RayCaster(caster->sharing()).cast(one.classification, settings).value();
             const auto picture = std::make_shared<const CardPicture>(maker->make(one.classification, settings).value());
             for (const CardReading reading : {CardReading::filter, CardReading::eightFetches}) {
                 window.renderer().setReading(reading);

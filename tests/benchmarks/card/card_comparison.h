@@ -21,6 +21,7 @@ struct CardDifference {
 
 struct ComparisonPlan {
     int views = 2;
+    bool plainly = false;  ///< the processor casts by the slow, obvious route (castRaysPlainly())
     std::string pictures;  ///< a folder for the picture of each case that is farthest off; empty for none
 };
 /// Draws all cases and prints a table, the largest values of a row over its views. False if the card fails.
