@@ -9,7 +9,8 @@ namespace echolucent {
 
 namespace {
 
-constexpr std::int64_t bytesOfPixel = 4 * sizeof(float) + sizeof(float);  // colour and depth, in single precision
+// Colour and depth in single precision, of the picture shown and of the one that is drawn.
+constexpr std::int64_t bytesOfPixel = 2 * (4 * sizeof(float) + sizeof(float));
 
 std::int64_t bytesOfVoxel(const Volume& volume) {
     return std::visit(

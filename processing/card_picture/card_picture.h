@@ -39,6 +39,7 @@ struct CardPicture {
     std::shared_ptr<const ray_casting::TransferTable> table;
     Classification classification;
     std::shared_ptr<const GradientLevels> gradients;  ///< null unless a two-dimensional OTF gives opacities
+    float firstVisible = 0.0f;                        ///< VisibleNodes::firstVisible() of that OTF
     std::shared_ptr<const CardBricks> bricks;         ///< null if rays may not jump
     std::shared_ptr<const LightVolume> light;         ///< null if the light asks for none
     RayCastSettings settings;
@@ -49,7 +50,7 @@ struct CardPicture {
     double lightMilliseconds = 0.0;               ///< of it for the light volume
 };
 
-/// Bytes on a card of all that a picture is drawn from, the picture itself included.
+/// Bytes on a card of all that a picture is drawn from, the picture itself and the one before included.
 [[nodiscard]] std::int64_t bytesOnCard(const CardPicture& picture);
 /// The same before anything is made, for a lit picture of a curve.
 [[nodiscard]] std::int64_t bytesOnCard(const Volume& volume, int width, int height);

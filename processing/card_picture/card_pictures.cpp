@@ -84,6 +84,7 @@ public:
         if (direct && classification.isTwoDimensional()) {
             if (!findGradients(*classification.twoDimensional(), progress)) return std::nullopt;
             picture.gradients = m_gradients->levels();
+            picture.firstVisible = m_visible->firstVisible();
         }
         picture.table = tableOf(classification, settings);
         if (direct && settings.skipEmptySpace) picture.bricks = bricksUnder(classification, *picture.table);
@@ -122,6 +123,10 @@ private:
     }
 
     bool findGradients(const TwoDimensionalOtf& otf, const Progress& progress) {
+        if (m_visibleOf != otf) {
+            m_visible.emplace(otf);
+            m_visibleOf = otf;
+        }
         if (m_gradients && m_gradients->levels()->largest == otf.largestGradient) return true;
         auto levels = gradientLevels(m_scan->filled, otf.largestGradient, Progress{{}, progress.cancel});
         if (!levels) return false;
@@ -144,7 +149,7 @@ private:
     std::shared_ptr<const CardBricks> bricksUnder(const Classification& classification, const TransferTable& table) {
         if (m_bricks && m_bricksOf == classification) return m_empty->any() ? m_bricks : nullptr;
         if (classification.isTwoDimensional())
-            m_empty->update(*m_ranges, *m_gradients, VisibleNodes(*classification.twoDimensional()));
+            m_empty->update(*m_ranges, *m_gradients, *m_visible);
         else
             m_empty->update(*m_ranges, table);
         m_bricks = std::make_shared<const CardBricks>(CardBricks{m_empty->grid().size, m_empty->distances()});
@@ -173,6 +178,8 @@ private:
     std::shared_ptr<const CardBricks> m_bricks;
     Classification m_bricksOf;
     std::optional<PackedGradients> m_gradients;
+    std::optional<VisibleNodes> m_visible;  ///< of m_visibleOf
+    std::optional<TwoDimensionalOtf> m_visibleOf;
     struct TableOf {
         Classification classification;
         ColourMap colourMap = ColourMap::sepia;

@@ -209,7 +209,6 @@ private slots:
         QTest::addColumn<QString>("words");
         QTest::newRow("memory refused") << CardError::outOfMemory << "too little memory";
         QTest::newRow("context lost") << CardError::contextLost << "was lost";
-        QTest::newRow("another error") << CardError::other << "error";
     }
     void failuresLeaveThePictureAndSayWhy() {
         QFETCH(CardError, error);

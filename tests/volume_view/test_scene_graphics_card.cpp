@@ -10,7 +10,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <memory>
+#include <utility>
 
 #include "processing/card_picture/card_pictures.h"
 #include "processing/phantom/phantom.h"
@@ -342,7 +343,9 @@ private slots:
         drawn.scene.setVolume(volume);
         drawn.scene.setTransfer(square, settings.colourMap);
         drawn.draw();
-        drawn.scene.show(cardPicture(volume, square, settings), m_card.known);
+        auto picture = cardPicture(volume, square, settings);
+        const std::weak_ptr<const CardScan> scan = picture->scan;
+        drawn.scene.show(std::exchange(picture, nullptr), m_card.known);
         drawn.draw();
         QCOMPARE(drawn.scene.rendererInUse(), RendererChoice::graphicsCard);
         QVERIFY(drawn.scene.cardMilliseconds() > 0);
@@ -372,7 +375,9 @@ private slots:
             settings.camera);
         drawn.draw();
         QCOMPARE(drawn.at(50, 50), (Level{0, 90, 0}));
+        QVERIFY(!scan.expired());
         drawn.scene.setVolume(nullptr);
+        QVERIFY(scan.expired());  // what is on the card keeps nothing in memory
         drawn.draw();
         QCOMPARE(drawn.at(50, 50), (Level{0, 0, 0}));
     }

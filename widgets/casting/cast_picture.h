@@ -5,13 +5,15 @@
 #include <memory>
 #include <vector>
 
-#include "processing/card_picture/card_picture.h"
 #include "processing/picture/picture.h"
 #include "processing/picture/picture_request.h"
 #include "processing/picture/screen_picture.h"
 #include "widgets/casting/qualities.h"
 
 namespace echolucent {
+
+struct CardPicture;
+struct KnownCardPicture;
 
 /// The finished picture of one pane, or what a graphics card draws it from.
 struct CastPane {

@@ -11,6 +11,7 @@
 
 #include <array>
 
+#include "widgets/volume_view/scene/graphics_card/card_answers.h"
 #include "widgets/volume_view/scene/graphics_card/vtk_volume_image.h"
 #include "widgets/volume_view/scene/ray_cast_mapper.h"
 #include "widgets/volume_view/scene/vtk_camera.h"
@@ -43,6 +44,7 @@ vtkRenderer* VolumeScene::renderer() { return m_renderer; }
 void VolumeScene::setVolume(std::shared_ptr<const Volume> volume) {
     m_mapper->setPicture(nullptr);
     m_mapper->card().forgetFailure();
+    m_mapper->card().forgetPictures();
     m_hasPicture = false;
     m_transfer.reset();
     if (volume) {

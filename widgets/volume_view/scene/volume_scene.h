@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "processing/classification.h"
@@ -14,7 +15,6 @@
 #include "widgets/volume_view/scene/annotation/overlay_lines.h"
 #include "widgets/volume_view/scene/annotation/scale_bar.h"
 #include "widgets/volume_view/scene/annotation/shade.h"
-#include "widgets/volume_view/scene/graphics_card/card_answers.h"
 
 class vtkRenderer;
 class vtkVolume;
@@ -22,6 +22,7 @@ class vtkVolumeProperty;
 
 namespace echolucent {
 
+struct CardAnswers;
 struct CardPicture;
 struct KnownCardPicture;
 class RayCastMapper;

@@ -12,9 +12,7 @@ CardError newestCardError(vtkOpenGLRenderWindow&) {
         const unsigned code = glGetError();
         if (code == GL_NO_ERROR) break;
         if (code == lostContext) return CardError::contextLost;
-        newest = code == GL_OUT_OF_MEMORY    ? CardError::outOfMemory
-                 : newest == CardError::none ? CardError::other
-                                             : newest;
+        if (code == GL_OUT_OF_MEMORY) newest = CardError::outOfMemory;
     }
     return newest;
 }

@@ -10,7 +10,9 @@
 
 namespace echolucent {
 
-enum class CardError { none, outOfMemory, contextLost, other };
+/// The errors after which a card does not draw. Others are of no matter where the known picture is right: VTK and
+/// drivers leave some of their own.
+enum class CardError { none, outOfMemory, contextLost };
 
 /// The newest error of OpenGL since the last call; the window's context must be current.
 [[nodiscard]] CardError newestCardError(vtkOpenGLRenderWindow& window);

@@ -99,6 +99,11 @@ void CardRenderer::forgetFailure() {
     if (!m_isWrong) m_failure.clear();
 }
 
+void CardRenderer::forgetPictures() {
+    m_drawn = nullptr;
+    m_begun = {};
+}
+
 bool CardRenderer::fail(std::string sentence) {
     m_failure = std::move(sentence);
     m_drawn = nullptr;
@@ -112,11 +117,7 @@ bool CardRenderer::failed(vtkOpenGLRenderWindow& window) {
         case CardError::outOfMemory:
             fail("The graphics card has too little memory for the picture, so the software draws it.");
             break;
-        case CardError::contextLost:
-            fail(lostSentence);
-            m_met = false;
-            break;
-        case CardError::other: fail("The graphics card's driver reported an error, so the software draws."); break;
+        case CardError::contextLost: fail(lostSentence); break;
     }
     return true;
 }

@@ -57,6 +57,8 @@ public:
     [[nodiscard]] const std::string& failure() const { return m_failure; }
     /// Another volume or the person's choice gives the card another chance. A card that draws wrongly gets none.
     void forgetFailure();
+    /// Lets go of what was drawn, so that its volume can be freed.
+    void forgetPictures();
     /// Wall time of the newest picture: bringing it to the card, and drawing it.
     [[nodiscard]] double uploadMilliseconds() const { return m_uploadMilliseconds; }
     [[nodiscard]] double drawMilliseconds() const { return m_drawMilliseconds; }

@@ -28,17 +28,21 @@ std::int64_t bytesOf(const std::array<std::int64_t, 3>& size, int components, in
     return size[0] * size[1] * std::max<std::int64_t>(size[2], 1) * components * each;
 }
 
+bool isFrom(const std::weak_ptr<const void>& one, const std::shared_ptr<const void>& other) {
+    return !one.owner_before(other) && !other.owner_before(one);
+}
+
 }  // namespace
 
 CardTextures::Texture* CardTextures::find(const std::shared_ptr<const void>& from) {
     for (Texture& texture : m_volumes)
-        if (texture.from == from) return &texture;
+        if (isFrom(texture.from, from)) return &texture;
     return nullptr;
 }
 
 bool CardTextures::renew(vtkOpenGLRenderWindow& window, Texture& texture, const std::shared_ptr<const void>& from,
                          const Uploading& uploading) {
-    if (texture.texture && texture.from == from) return true;
+    if (texture.texture && isFrom(texture.from, from)) return true;
     if (!texture.texture) texture.texture = vtkSmartPointer<vtkTextureObject>::New();
     vtkTextureObject& object = *texture.texture;
     object.SetContext(&window);
@@ -50,7 +54,7 @@ bool CardTextures::renew(vtkOpenGLRenderWindow& window, Texture& texture, const 
     object.SetMagnificationFilter(filter);
     const auto side = [&](std::size_t axis) { return static_cast<unsigned>(uploading.size[axis]); };
     auto* values = const_cast<void*>(uploading.values);  // VTK's signature is not const, but VTK only reads
-    texture.from = nullptr;
+    texture.from.reset();
     const bool made =
         uploading.size[2] > 0
             ? object.AllocateProxyTexture3D(side(0), side(1), side(2), uploading.components, uploading.type) &&
@@ -79,7 +83,7 @@ void CardTextures::dropOldest(vtkOpenGLRenderWindow& window, std::size_t inUse) 
     std::size_t count = 0;
     for (auto at = m_volumes.begin(); at != m_volumes.end();) {
         if (count++ >= inUse) bytes += at->bytes;
-        if (bytes > m_mostBytes || !at->from) {
+        if (bytes > m_mostBytes || at->from.expired()) {
             at->texture->ReleaseGraphicsResources(&window);
             at = m_volumes.erase(at);
         } else {
@@ -120,7 +124,7 @@ bool CardTextures::bring(vtkOpenGLRenderWindow& window, const CardPicture& pictu
             renew(window, m_light, picture.light,
                   {{light.size[0], light.size[1], light.size[2]}, 2, VTK_UNSIGNED_CHAR, light.reaching.data(), true});
     }
-    if (brought && m_table.from != picture.table) {
+    if (brought && !isFrom(m_table.from, picture.table)) {
         constexpr int entries = ray_casting::TransferTable::intervals + 2;
         std::vector<float> both;
         both.reserve(2 * entries);

@@ -36,7 +36,8 @@ public:
 
 private:
     struct Texture {
-        std::shared_ptr<const void> from;  ///< the part of a picture that the texture holds
+        /// The part of a picture that the texture holds. It may be freed: a texture keeps nothing in memory.
+        std::weak_ptr<const void> from;
         std::int64_t bytes = 0;
         vtkSmartPointer<vtkTextureObject> texture;
     };

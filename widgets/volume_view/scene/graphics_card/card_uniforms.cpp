@@ -8,7 +8,6 @@
 
 #include "processing/picture/view_limits.h"
 #include "processing/ray_caster/light_source.h"
-#include "processing/ray_caster/packed/packed_gradients.h"
 
 namespace echolucent {
 
@@ -96,10 +95,7 @@ void setVoxels(const Uniforms& uniforms, const CardPicture& picture) {
     }
     uniforms.set("colourBase", base);
     uniforms.set("colourSlope", slope);
-    if (picture.gradients) {
-        const ray_casting::VisibleNodes visible(*picture.classification.twoDimensional());
-        uniforms.set("firstVisible", visible.firstVisible());
-    }
+    uniforms.set("firstVisible", picture.firstVisible);
     if (picture.bricks) {
         const auto& bricks = picture.bricks->size;
         uniforms.set("bricks", Vec3(static_cast<double>(bricks[0]), static_cast<double>(bricks[1]),
