@@ -90,15 +90,17 @@ RayCastSettings litSettings(const Volume& volume, Projection projection = Projec
     return settings;
 }
 
-CutSurface dome(const Volume& volume, const ViewFrame& frame) {
+CutSurface dome(const Volume& volume, const ViewFrame& frame, double bend = 0.1) {
     const Vec3 centre = volume.geometry().centreMm();
-    CutSurface surface{.frame = frame, .spacingMm = 10.0, .columns = 15, .rows = 15};
-    surface.firstRightMm = frame.right.dot(centre) - 70.0;
-    surface.firstDownMm = frame.down.dot(centre) - 70.0;
+    const double spacing = length(volume.geometry().boxMaxMm()) / 15.0;
+    CutSurface surface{.frame = frame, .spacingMm = spacing, .columns = 15, .rows = 15};
+    surface.firstRightMm = frame.right.dot(centre) - 7 * spacing;
+    surface.firstDownMm = frame.down.dot(centre) - 7 * spacing;
     std::vector<float> depths;
     for (int row = -7; row <= 7; ++row)
         for (int column = -7; column <= 7; ++column)
-            depths.push_back(static_cast<float>(frame.forward.dot(centre) - 20.0 + row * row + column * column));
+            depths.push_back(
+                static_cast<float>(frame.forward.dot(centre) + spacing * (bend * (row * row + column * column) - 2.0)));
     surface.depthMm = SharedList<float>(std::move(depths));
     return surface;
 }
@@ -226,6 +228,16 @@ private slots:
         add("minimum, holes", ball, square, settings, true);
         settings.mode = RenderMode::mean;
         add("mean, holes", ball, square, settings, false);
+        // Rays jump to a ball that lets light through, and leave the front's surface again, which is made for another
+        // view.
+        const auto ballInNothing = volumeOf(geometryOf(70, 66, 68), [](double x, double y, double z) {
+            return length(Vec3(x, y, z) - Vec3(40, 33, 30)) < 18 ? 140 + static_cast<int>(x) : 0;
+        });
+        settings = litSettings(*ballInNothing);
+        settings.cutSurface = dome(*ballInNothing, frameOf(Viewpoint{BeamAxis::plusX, 0, 0, 0}), 0.5);
+        settings.lightCoarseness = 8;
+        add("bowed front from the side, empty space", ballInNothing, ManualCurve{{{0.4, 0.0}, {0.5, 0.06}, {1.0, 0.1}}},
+            settings, true);
         // The extremes.
         settings = plainSettings(*fetus);
         add("opacity 1", fetus, ManualCurve{{{0.0, 1.0}, {1.0, 1.0}}}, settings, true);
