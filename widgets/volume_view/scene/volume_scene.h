@@ -8,6 +8,8 @@
 #include <string>
 
 #include "processing/classification.h"
+#include "processing/picture/camera.h"
+#include "processing/picture/colour_map.h"
 #include "processing/picture/renderer_choice.h"
 #include "processing/picture/screen_picture.h"
 #include "widgets/volume_view/scene/annotation/caption.h"

@@ -9,6 +9,7 @@
 #include <vtkPixelBufferObject.h>
 #include <vtkShaderProgram.h>
 #include <vtkTextureObject.h>
+#include <vtk_glew.h>
 
 #include <algorithm>
 #include <array>
