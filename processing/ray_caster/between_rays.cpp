@@ -15,12 +15,12 @@ constexpr std::ptrdiff_t channels = 4;
 /// Makes `out` the mean of the pixels b and c, where a and d are the next ones on either side. False if the mean may
 /// err by more than an eighth of `most`.
 bool fillMiddle(const float* a, const float* b, const float* c, const float* d, float most, float* out) {
-    float largest = 0.0f;
+    bool smooth = true;  // not a number is not smooth
     for (std::ptrdiff_t i = 0; i < channels; ++i) {
         const float before = std::abs(a[i] - 2.0f * b[i] + c[i]), behind = std::abs(b[i] - 2.0f * c[i] + d[i]);
-        largest = std::max(largest, std::max(before, behind));
+        smooth = smooth && before <= most && behind <= most;
     }
-    if (!(largest <= most)) return false;
+    if (!smooth) return false;
     for (std::ptrdiff_t i = 0; i < channels; ++i) out[i] = 0.5f * (b[i] + c[i]);
     return true;
 }

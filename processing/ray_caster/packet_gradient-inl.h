@@ -54,6 +54,13 @@ HWY_INLINE GradientAddresses addressesOf(const GradientPlaces& places, const Run
 constexpr std::ptrdiff_t placeSlice =
     std::ptrdiff_t{GradientPlaces::columns} * GradientPlaces::rows * GradientPlaces::bytesPerPlace;
 
+/// The gradient of four means of bytes, each 127 times as large.
+HWY_INLINE Gradient scaled(FloatVector x, FloatVector y, FloatVector z, FloatVector scale, float quantum) {
+    const auto zero = set(static_cast<float>(GradientPlaces::zero * 127));
+    const auto factor = hn::Mul(scale, set(quantum / static_cast<float>(127 * 127 * GradientPlaces::scaleOne)));
+    return {hn::Mul(hn::Sub(x, zero), factor), hn::Mul(hn::Sub(y, zero), factor), hn::Mul(hn::Sub(z, zero), factor)};
+}
+
 #if HWY_TARGET == HWY_SCALAR
 
 HWY_INLINE Gradient gradientBetween(const GradientAddresses& addresses, const Position& at, float quantum) {
@@ -65,10 +72,9 @@ HWY_INLINE Gradient gradientBetween(const GradientAddresses& addresses, const Po
             const std::uint8_t* const near = addresses.of[0] + x * GradientPlaces::bytesPerPlace + 2 * axis;
             return fixedBetween(alongY(near), alongY(near + placeSlice), shareZ);
         };
-        const int mean = fixedBetween(alongX(0), alongX(1), shareX);
-        return hn::Mul(set(static_cast<float>(mean - GradientPlaces::zero * 127)), set(quantum / 127.0f));
+        return set(static_cast<float>(fixedBetween(alongX(0), alongX(1), shareX)));
     };
-    return {component(0), component(1), component(2)};
+    return scaled(component(0), component(1), component(2), component(3), quantum);
 }
 
 #else
@@ -117,12 +123,10 @@ HWY_INLINE Gradient gradientBetween(const GradientAddresses& addresses, const Po
     // Dwords 0 and 1 belong to x, 2 and 3 to x + 1. Each holds two components.
     const Ints ints;
     const auto xAndY = hn::BitCast(ints, fixedBetween(alongZ(0), alongZ(2), shareX)),
-               zAndNone = hn::BitCast(ints, fixedBetween(alongZ(1), alongZ(3), shareX));
-    const auto component = [&](IntVector word) {
-        return hn::Mul(hn::ConvertTo(Floats(), hn::Sub(word, set(GradientPlaces::zero * 127))), set(quantum / 127.0f));
-    };
-    const auto low = [](IntVector two) { return hn::And(two, set(0xFFFF)); };
-    return {component(low(xAndY)), component(hn::ShiftRight<16>(xAndY)), component(low(zAndNone))};
+               zAndScale = hn::BitCast(ints, fixedBetween(alongZ(1), alongZ(3), shareX));
+    const auto low = [](IntVector two) { return hn::ConvertTo(Floats(), hn::And(two, set(0xFFFF))); };
+    const auto high = [](IntVector two) { return hn::ConvertTo(Floats(), hn::ShiftRight<16>(two)); };
+    return scaled(low(xAndY), high(xAndY), low(zAndScale), high(zAndScale), quantum);
 }
 
 #endif

@@ -117,11 +117,14 @@ struct PacketPixels {
         pixels.count = lanes;
         return pixels;
     }
+    [[nodiscard]] HWY_INLINE bool isIn(const Picture& picture, int lane) const {
+        return column[lane] < picture.width && row[lane] < picture.height;
+    }
     /// Calls visit(lane, offset of the pixel in a picture) for each pixel within it.
     template <typename Visit>
     void forEachIn(const Picture& picture, const Visit& visit) const {
         for (int i = 0; i < count; ++i)
-            if (column[i] < picture.width && row[i] < picture.height)
+            if (isIn(picture, i))
                 visit(i, static_cast<std::size_t>(row[i]) * static_cast<std::size_t>(picture.width) +
                              static_cast<std::size_t>(column[i]));
     }
@@ -133,10 +136,10 @@ class Packet {
 public:
     Packet(const KernelJob<Voxel>& job, const PacketPixels& pixels) : m_job(job) {
         job.rays->fill(m_rays, pixels.column, pixels.row);
-        // Pixels beyond the picture's edge cast nothing.
-        for (int i = 0; i < lanes; ++i)
-            if (i >= pixels.count || pixels.column[i] >= job.picture->width || pixels.row[i] >= job.picture->height)
-                m_rays.remove(i);
+        // Pixels beyond the picture's edge cast nothing. No pixel of a block lies farther right or down than its last.
+        if (pixels.count < lanes || !pixels.isIn(*job.picture, lanes - 1))
+            for (int i = 0; i < lanes; ++i)
+                if (i >= pixels.count || !pixels.isIn(*job.picture, i)) m_rays.remove(i);
         findExtent();
     }
 

@@ -183,7 +183,7 @@ private:
     template <typename Voxel>
     const GradientPlaces* gradientsFor(const PackedVoxels<Voxel>& packed, const LightSource& light,
                                        double gradientFloor, std::int64_t shown) {
-        const std::optional<GradientRule> rule = GradientRule::of(light, gradientFloor);
+        const std::optional<GradientRule> rule = GradientRule::of(light.reach, gradientFloor);
         const std::size_t most = GradientPlaces::mostBytes(packed.bytes());
         if (!rule || static_cast<std::size_t>(shown) * GradientPlaces::bytesPerBrick > most) return nullptr;
         if (!m_places || !(m_places->rule() == *rule) || m_places->bytes() > most)

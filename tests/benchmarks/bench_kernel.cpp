@@ -148,7 +148,7 @@ void takeSamples(benchmark::State& state) {
     const RayGeometry rays(geometry, settings);
     const LightSource light = lightSource(Shading{}, geometry, settings.camera.frame, settings.colourMap);
     const GradientPlaces places(packed, geometry, PackedVoxels<std::uint8_t>::toTable(volume->whiteLevel()),
-                                *GradientRule::of(light, Shading{}.gradientFloor));
+                                *GradientRule::of(light.reach, Shading{}.gradientFloor));
     Picture picture = emptyPicture(settings.width, settings.height);
     KernelJob<std::uint8_t> job;
     job.voxels = packed.get();

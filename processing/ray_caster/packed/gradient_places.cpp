@@ -21,14 +21,36 @@ struct Lattice {
     std::array<std::array<float, rowLength>, 3> rows[edge][edge];
 };
 
-/// Shortens a gradient to what bytes hold.
-void shorten(std::array<std::array<float, Lattice::rowLength>, 3>& row) {
-    constexpr float most = 127.0f;
+/// The longest component of all gradients.
+float longestOf(const Lattice& lattice) {
+    float longest = 0.0f;
+    for (const auto& slice : lattice.rows)
+        for (const auto& row : slice)
+            for (const auto& component : row)
+                for (const float value : component) longest = std::max(longest, std::abs(value));
+    return longest;
+}
+
+constexpr float mostQuanta = 127.0f;
+
+/// Divides gradients by a brick's scale. One that is still longer than bytes hold keeps its direction.
+void shorten(std::array<std::array<float, Lattice::rowLength>, 3>& row, float perScale) {
     for (std::size_t x = 0; x < Lattice::edge; ++x) {
-        const float length = std::max({std::abs(row[0][x]), std::abs(row[1][x]), std::abs(row[2][x])});
-        if (length <= most) continue;
-        for (auto& component : row) component[x] *= most / length;
+        const float longest = std::max({std::abs(row[0][x]), std::abs(row[1][x]), std::abs(row[2][x])}) * perScale;
+        const float factor = longest > mostQuanta ? perScale * (mostQuanta / longest) : perScale;
+        for (auto& component : row) component[x] *= factor;
     }
+}
+
+/// The smallest scale with which a brick's gradients fit into bytes, in GradientPlaces::scaleOne; the largest if none.
+/// Up to scaleOne it is a power of two, so that whole quanta stay whole.
+int scaleOf(float longest) {
+    constexpr int one = GradientPlaces::scaleOne, most = 255;
+    if (longest > mostQuanta)
+        return static_cast<int>(std::min(std::ceil(longest / mostQuanta * one), static_cast<float>(most)));
+    int scale = one;
+    while (scale > 1 && longest * 2.0f * one <= mostQuanta * static_cast<float>(scale)) scale /= 2;
+    return scale;
 }
 
 template <typename Voxel>
@@ -51,14 +73,18 @@ public:
         Lattice lattice;
         for (int z = 0; z < Lattice::edge; ++z)
             for (int y = 0; y < Lattice::edge; ++y) fillRow(first, y, z, lattice.rows[z][y]);
+        const int scale = scaleOf(longestOf(lattice));
+        const float perScale = static_cast<float>(GradientPlaces::scaleOne) / static_cast<float>(scale);
+        for (auto& slice : lattice.rows)
+            for (auto& row : slice) shorten(row, perScale);
         for (int z = 0; z < GradientPlaces::slices; ++z)
             for (int y = 0; y < GradientPlaces::rows; ++y)
                 for (int x = 0; x < GradientPlaces::columns; ++x) {
                     for (std::size_t axis = 0; axis < 3; ++axis)
                         for (int row = 0; row < 2; ++row)
                             *places++ = byteOf(lattice.rows[z][y + row][axis][static_cast<std::size_t>(x)]);
-                    *places++ = 0;
-                    *places++ = 0;
+                    *places++ = static_cast<std::uint8_t>(scale);
+                    *places++ = static_cast<std::uint8_t>(scale);
                 }
     }
 
@@ -93,7 +119,6 @@ private:
         if (m_reach[0] > 0) difference(0, rowOf(y, z), rowOf(y, z), m_reach[0]);
         if (m_reach[1] > 0) difference(1, rowOf(y - m_reach[1], z), rowOf(y + m_reach[1], z), 0);
         if (m_reach[2] > 0) difference(2, rowOf(y, z - m_reach[2]), rowOf(y, z + m_reach[2]), 0);
-        shorten(out);
     }
 
     std::shared_ptr<const PackedVoxels<Voxel>> m_voxels;
@@ -105,13 +130,13 @@ private:
 
 }  // namespace
 
-std::optional<GradientRule> GradientRule::of(const LightSource& light, double gradientFloor) {
+std::optional<GradientRule> GradientRule::of(const std::array<double, 3>& reach, double gradientFloor) {
     if (!(gradientFloor >= GradientPlaces::leastFloor) || gradientFloor > 1.0) return std::nullopt;
     GradientRule rule{{}, gradientFloor};
     bool any = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const double whole = std::round(light.reach[axis]);
-        if (whole < 1.0 || whole > longestReach || std::abs(light.reach[axis] - whole) > wholeWithin) continue;
+        const double whole = std::round(reach[axis]);
+        if (whole < 1.0 || whole > longestReach || std::abs(reach[axis] - whole) > wholeWithin) continue;
         rule.reach[axis] = static_cast<int>(whole);
         any = true;
     }

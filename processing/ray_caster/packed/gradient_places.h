@@ -10,7 +10,6 @@
 #include <optional>
 #include <vector>
 
-#include "processing/ray_caster/light_source.h"
 #include "processing/ray_caster/packed/brick_grid.h"
 #include "processing/ray_caster/packed/packed_voxels.h"
 #include "processing/volume/geometry.h"
@@ -24,25 +23,29 @@ struct GradientRule {
     double gradientFloor = 0.0;  ///< Shading::gradientFloor
     friend bool operator==(const GradientRule&, const GradientRule&) = default;
 
-    /// Empty if there is nothing to store: no axis has a whole reach, or bytes are too coarse for the gradient floor.
-    [[nodiscard]] static std::optional<GradientRule> of(const LightSource& light, double gradientFloor);
+    /// `reach`: voxels from a sample to each end of the difference. Empty if there is nothing to store: no axis has a
+    /// whole reach, or bytes are too coarse for the gradient floor.
+    [[nodiscard]] static std::optional<GradientRule> of(const std::array<double, 3>& reach, double gradientFloor);
 };
 
 /// Gradients at voxels, as bytes. A central difference over whole voxels of a trilinear field is the trilinear mean of
-/// the differences at voxels. So between them nothing is lost but what the bytes round away: they are `quantum` apart,
-/// a tenth of the gradient floor. A gradient that is longer than 127 of them keeps its direction.
+/// the differences at voxels. So between them nothing is lost but what the bytes round away. They are `quantum` apart,
+/// a tenth of the gradient floor; in a brick with a gradient of more than 127 quanta, up to four times as far. A
+/// gradient that is longer still keeps its direction.
 ///
 /// A brick is made when the first sample in it asks for light. Several threads may ask at once.
 class GradientPlaces {
 public:
-    /// A place holds the bytes of gx, gy, gz and 0 at voxel (x,y,z), each beside that at (x,y+1,z). So two loads of 16
-    /// bytes, which also reach the place of x + 1, give all that the mean between eight voxels needs.
+    /// A place holds the bytes of gx, gy, gz and the brick's scale at voxel (x,y,z), each beside that at (x,y+1,z). So
+    /// two loads of 16 bytes, which also reach the place of x + 1, give all that the mean between eight voxels needs.
     static constexpr int bytesPerPlace = 8;
     /// A brick of places has one more along x and z than its brick of cubes.
     static constexpr int columns = BrickGrid::edge + 1, rows = BrickGrid::edge, slices = BrickGrid::edge + 1;
     static constexpr std::size_t bytesPerBrick = std::size_t{columns} * rows * slices * bytesPerPlace;
     /// The byte of no difference.
     static constexpr int zero = 128;
+    /// The scale with which a brick's bytes are quanta.
+    static constexpr int scaleOne = 64;
     /// Gradient floors in a quantum. Differences over the usual reach of four units of bytes with white level 255 are
     /// whole quanta at the usual floor.
     static constexpr double floorsPerQuantum = 100.0 / 1020.0;
@@ -64,7 +67,7 @@ public:
     [[nodiscard]] std::int32_t lastCube(std::size_t axis) const { return m_lastCube[axis]; }
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
 
-    /// The places of a brick. One more, number grid().count(), holds zeros.
+    /// The places of a brick. One more, number grid().count(), has scale 0: no gradient.
     [[nodiscard]] const std::uint8_t* brick(std::size_t index) const {
         const std::uint8_t* const made = m_bricks[index].load(std::memory_order_acquire);
         return made != nullptr ? made : make(index);

@@ -2,6 +2,7 @@
 #include "processing/ray_caster/between_rays.h"
 
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <limits>
 #include <stdexcept>
@@ -88,7 +89,7 @@ void expectInterpolatedPixelsNearCastOnes(Projection projection) {
     if (projection == Projection::perspective) settings.camera.viewAngleDegrees = 12.0;
     const OpacityCurve curve = PowerCurve{2, 0.5};
     const auto all = castRays(*volume, curve, settings);
-    settings.pixelTolerance = 1.0;
+    settings.pixelTolerance = 0.5;
     RayCaster caster(volume);
     const auto some = caster.cast(curve, settings);
     EXPECT_LT(caster.castShare(), 0.95);
@@ -145,6 +146,16 @@ TEST(BetweenRays, SamplesThatAreKeptAreThoseOfAllPixels) {
     EXPECT_EQ(caster.sampleUse(), SampleUse::kept);
     EXPECT_EQ(caster.castShare(), 1.0);
     EXPECT_LT(apart(*kept, *all).largest, 1.0);
+}
+
+TEST(BetweenRays, SamePixelsForAnyNumberOfThreads) {
+    const auto volume = held(sectorOf(speckledShell<std::uint8_t>({41, 43, 39}, {1, 1, 1}, 6)));
+    RayCastSettings settings = nearSettings(*volume, 150, 130);
+    settings.pixelTolerance = 0.5;
+    const OpacityCurve curve = PowerCurve{2, 0.5};
+    std::vector<float> alone;
+    tbb::task_arena(1).execute([&] { alone = castRays(*volume, curve, settings)->rgba; });
+    tbb::task_arena(4).execute([&] { EXPECT_EQ(castRays(*volume, curve, settings)->rgba, alone); });
 }
 
 TEST(BetweenRays, AToleranceThatMakesNoSenseIsRefused) {

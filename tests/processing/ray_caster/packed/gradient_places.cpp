@@ -14,31 +14,36 @@ using namespace ray_casting;
 
 constexpr double usualFloor = 0.01;
 
-LightSource lightOf(const VolumeGeometry& geometry, double reach = 2.0) {
-    Shading shading;
-    shading.gradientReach = reach;
-    return lightSource(shading, geometry, ViewFrame{}, ColourMap::grey);
+/// Voxels of a reach in units.
+std::array<double, 3> reachIn(const VolumeGeometry& geometry, double units = 2.0) {
+    const double mm = units * geometry.unit();
+    return {mm / geometry.spacing[0], mm / geometry.spacing[1], mm / geometry.spacing[2]};
 }
 
-/// The byte of a component at a voxel: that of the lower y of a place.
-int byteAt(const GradientPlaces& places, std::int64_t x, std::int64_t y, std::int64_t z, int axis) {
+/// A component of the gradient at a voxel, in quanta: that of the lower y of a place.
+double quantaAt(const GradientPlaces& places, std::int64_t x, std::int64_t y, std::int64_t z, int axis) {
     const std::array<std::int64_t, 3> cube{x + cubeShift, y + cubeShift, z + cubeShift};
     constexpr std::int64_t edge = BrickGrid::edge;
     const std::size_t brick = places.grid().offset(cube[0] / edge, cube[1] / edge, cube[2] / edge);
     const std::int64_t place =
         (cube[2] % edge * GradientPlaces::rows + cube[1] % edge) * GradientPlaces::columns + cube[0] % edge;
-    return places.brick(brick)[place * GradientPlaces::bytesPerPlace + 2 * axis];
+    const std::uint8_t* const bytes = places.brick(brick) + place * GradientPlaces::bytesPerPlace;
+    return (bytes[2 * axis] - GradientPlaces::zero) * bytes[6] / double{GradientPlaces::scaleOne};
 }
 
-TEST(GradientPlaces, DifferencesOfBytesAreWholeQuanta) {
-    const Volume volume = randomVolume<std::uint8_t>({21, 19, 23}, {1, 1, 1}, 3);
-    const auto& voxels = std::get<VoxelArray<std::uint8_t>>(volume.voxels());
+/// Noise up to an intensity has differences of at most that, all of which bytes hold if it is at most 127.
+void expectDifferences(int brightest, double tolerance) {
+    const Volume noise = randomVolume<std::uint8_t>({21, 19, 23}, {1, 1, 1}, 3);
+    std::vector<std::uint8_t> voxels;
+    for (const std::uint8_t value : std::get<VoxelArray<std::uint8_t>>(noise.voxels()))
+        voxels.push_back(static_cast<std::uint8_t>(value * brightest / 255));
+    const Volume volume(noise.geometry(), voxels);
     const auto packed = std::make_shared<const PackedVoxels<std::uint8_t>>(volume);
-    const auto rule = GradientRule::of(lightOf(volume.geometry()), usualFloor);
+    const auto rule = GradientRule::of(reachIn(volume.geometry()), usualFloor);
     ASSERT_TRUE(rule);
     const GradientPlaces places(packed, volume.geometry(), PackedVoxels<std::uint8_t>::toTable(255.0), *rule);
     EXPECT_NEAR(places.quantum(), 1.0 / (255.0 * 4.0), 1e-9);
-    int shortened = 0;
+    double longest = 0.0;
     for (std::int64_t z = 2; z < 21; ++z)
         for (std::int64_t y = 2; y < 17; ++y)
             for (std::int64_t x = 2; x < 19; ++x) {
@@ -47,34 +52,33 @@ TEST(GradientPlaces, DifferencesOfBytesAreWholeQuanta) {
                 };
                 const Vec3 difference(at(2, 0, 0) - at(-2, 0, 0), at(0, 2, 0) - at(0, -2, 0),
                                       at(0, 0, 2) - at(0, 0, -2));
-                double longest = 0.0;
-                for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, std::abs(difference[axis]));
-                shortened += longest > 127.0 ? 1 : 0;
-                const double factor = longest > 127.0 ? 127.0 / longest : 1.0;
-                for (int axis = 0; axis < 3; ++axis)
-                    ASSERT_NEAR(byteAt(places, x, y, z, axis) - GradientPlaces::zero, difference[axis] * factor,
-                                factor < 1.0 ? 0.51 : 0.0)
+                for (int axis = 0; axis < 3; ++axis) {
+                    ASSERT_NEAR(quantaAt(places, x, y, z, axis), difference[axis], tolerance)
                         << x << ' ' << y << ' ' << z;
+                    longest = std::max(longest, std::abs(difference[axis]));
+                }
             }
-    EXPECT_GT(shortened, 1000) << "noise has gradients that are too long for a byte, and they keep their direction";
+    EXPECT_GT(longest, 0.9 * brightest);
 }
+TEST(GradientPlaces, DifferencesOfBytesAreWholeQuanta) { expectDifferences(127, 0.0); }
+TEST(GradientPlaces, BricksOfSteepGradientsHaveCoarserBytes) { expectDifferences(255, 1.02); }
 
 TEST(GradientPlaces, OnlyWholeReachesAreStored) {
     VolumeGeometry geometry;
     geometry.size = {20, 20, 20};
     geometry.spacing = {0.5, 1.0, 1.2};
-    const auto rule = GradientRule::of(lightOf(geometry), usualFloor);
+    const auto rule = GradientRule::of(reachIn(geometry), usualFloor);
     ASSERT_TRUE(rule);
     EXPECT_EQ(rule->reach, (std::array<int, 3>{2, 1, 0})) << "two units of 0.5 mm are 2, 1 and 0.83 voxels";
-    EXPECT_FALSE(GradientRule::of(lightOf(geometry, 0.7), usualFloor)) << "no axis has a whole reach";
-    EXPECT_FALSE(GradientRule::of(lightOf(geometry), 0.0)) << "bytes are too coarse for a floor of zero";
-    EXPECT_TRUE(GradientRule::of(lightOf(geometry), GradientPlaces::leastFloor));
+    EXPECT_FALSE(GradientRule::of(reachIn(geometry, 0.7), usualFloor)) << "no axis has a whole reach";
+    EXPECT_FALSE(GradientRule::of(reachIn(geometry), 0.0)) << "bytes are too coarse for a floor of zero";
+    EXPECT_TRUE(GradientRule::of(reachIn(geometry), GradientPlaces::leastFloor));
 }
 
 TEST(GradientPlaces, BricksAreMadeWhenAskedAndThreadsFindTheSame) {
     const Volume volume = randomVolume<std::uint16_t>({40, 33, 29}, {1, 1, 1}, 5);
     const auto packed = std::make_shared<const PackedVoxels<std::uint16_t>>(volume);
-    const auto rule = GradientRule::of(lightOf(volume.geometry()), usualFloor);
+    const auto rule = GradientRule::of(reachIn(volume.geometry()), usualFloor);
     const float toTable = PackedVoxels<std::uint16_t>::toTable(volume.whiteLevel());
     const GradientPlaces alone(packed, volume.geometry(), toTable, *rule),
         many(packed, volume.geometry(), toTable, *rule);
