@@ -139,10 +139,8 @@ public:
         : m_source(*job.light), m_places(job.gradients), m_geometry(job.geometry), m_toTable(job.toTable) {}
 
     HWY_INLINE Gradient at(const Run<Voxel>& run, const Position& at, LaneMask active) const {
-        const auto zero = set(0.0f);
-        Gradient gradient{zero, zero, zero};
-        if (m_places != nullptr)
-            gradient = gradientBetween(addressesOf(*m_places, run, at, active), at, m_places->quantum());
+        if (m_places == nullptr) return differences(run, at, active);
+        Gradient gradient = gradientBetween(addressesOf(*m_places, run, at, active), at, m_places->quantum());
         if (run.stored) return gradient;
         complete<0>(run, at, active, gradient.x);
         complete<1>(run, at, active, gradient.y);
@@ -151,12 +149,20 @@ public:
     }
 
 private:
+    HWY_NOINLINE Gradient differences(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+        return {differenceAlong<0>(run, at, active), differenceAlong<1>(run, at, active),
+                differenceAlong<2>(run, at, active)};
+    }
     /// Takes the differences that no place holds.
     template <int axis>
     HWY_INLINE void complete(const Run<Voxel>& run, const Position& at, LaneMask active, FloatVector& component) const {
-        const auto left = m_places == nullptr ? active : hn::AndNot(isStored<axis>(run, at), active);
-        if (!hn::AllFalse(Floats(), left))
-            component = hn::IfThenElse(left, differenceAlong<axis>(run, at, left), component);
+        const auto left = hn::AndNot(isStored<axis>(run, at), active);
+        if (!hn::AllFalse(Floats(), left)) takeDifference<axis>(run, at, left, component);
+    }
+    template <int axis>
+    HWY_NOINLINE void takeDifference(const Run<Voxel>& run, const Position& at, LaneMask left,
+                                     FloatVector& component) const {
+        component = hn::IfThenElse(left, differenceAlong<axis>(run, at, left), component);
     }
     template <int axis>
     HWY_INLINE LaneMask isStored(const Run<Voxel>& run, Position at) const {
@@ -178,7 +184,7 @@ private:
 
     /// Normalised intensity per unit.
     template <int axis>
-    HWY_NOINLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+    HWY_INLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active) const {
         Position before = at, after = at;
         IntVector& low = componentOf<axis>(before);
         IntVector& high = componentOf<axis>(after);

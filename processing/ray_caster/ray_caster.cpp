@@ -178,8 +178,8 @@ private:
         return true;
     }
 
-    /// The gradients for a light. Null if the bricks that are shown need too much memory, or nothing can be stored. So
-    /// a picture does not depend on those before.
+    /// The gradients for a light. Null if the bricks that are shown may need too much memory, or nothing can be stored.
+    /// So a picture does not depend on those before.
     template <typename Voxel>
     const GradientPlaces* gradientsFor(const PackedVoxels<Voxel>& packed, const LightSource& light,
                                        double gradientFloor, std::int64_t shown) {

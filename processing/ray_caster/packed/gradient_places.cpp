@@ -115,10 +115,10 @@ private:
                 out[axis][static_cast<std::size_t>(x)] = std::clamp((high - low) * factor, -1e9f, 1e9f);
             }
         };
-        for (auto& component : out) component.fill(0.0f);
-        if (m_reach[0] > 0) difference(0, rowOf(y, z), rowOf(y, z), m_reach[0]);
-        if (m_reach[1] > 0) difference(1, rowOf(y - m_reach[1], z), rowOf(y + m_reach[1], z), 0);
-        if (m_reach[2] > 0) difference(2, rowOf(y, z - m_reach[2]), rowOf(y, z + m_reach[2]), 0);
+        for (auto& component : out) component.fill(0.0f);  // beyond the lattice too
+        difference(0, rowOf(y, z), rowOf(y, z), m_reach[0]);
+        difference(1, rowOf(y - m_reach[1], z), rowOf(y + m_reach[1], z), 0);
+        difference(2, rowOf(y, z - m_reach[2]), rowOf(y, z + m_reach[2]), 0);
     }
 
     std::shared_ptr<const PackedVoxels<Voxel>> m_voxels;
@@ -133,18 +133,16 @@ private:
 std::optional<GradientRule> GradientRule::of(const std::array<double, 3>& reach, double gradientFloor) {
     if (!(gradientFloor >= GradientPlaces::leastFloor) || gradientFloor > 1.0) return std::nullopt;
     GradientRule rule{{}, gradientFloor};
-    bool any = false;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double whole = std::round(reach[axis]);
-        if (whole < 1.0 || whole > longestReach || std::abs(reach[axis] - whole) > wholeWithin) continue;
+        if (whole < 1.0 || whole > longestReach || std::abs(reach[axis] - whole) > wholeWithin) return std::nullopt;
         rule.reach[axis] = static_cast<int>(whole);
-        any = true;
     }
-    return any ? std::optional(rule) : std::nullopt;
+    return rule;
 }
 
 std::size_t GradientPlaces::mostBytes(std::size_t packed) {
-    constexpr std::size_t usual = std::size_t{96} << 20;
+    constexpr std::size_t usual = std::size_t{512} << 20;
     return std::max(usual, 2 * packed);
 }
 
@@ -159,7 +157,6 @@ GradientPlaces::GradientPlaces(const std::shared_ptr<const PackedVoxels<Voxel>>&
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int reach = rule.reach[axis];
         const std::int64_t size = geometry.size[axis];
-        if (reach == 0) continue;
         m_firstCube[axis] = reach + cubeShift;
         m_lastCube[axis] = static_cast<std::int32_t>(std::max<std::int64_t>(size - reach, 0));
         const double units = 2.0 * reach * geometry.spacing[static_cast<int>(axis)] / geometry.unit();

@@ -18,12 +18,11 @@ namespace echolucent::ray_casting {
 
 /// What the gradients of a volume depend on beside its voxels.
 struct GradientRule {
-    /// Voxels from a sample to each end of the difference, on axes where they are whole; 0 on other axes.
-    std::array<int, 3> reach{};
+    std::array<int, 3> reach{};  ///< voxels from a sample to each end of the difference
     double gradientFloor = 0.0;  ///< Shading::gradientFloor
     friend bool operator==(const GradientRule&, const GradientRule&) = default;
 
-    /// `reach`: voxels from a sample to each end of the difference. Empty if there is nothing to store: no axis has a
+    /// `reach`: voxels from a sample to each end of the difference. Empty if nothing is stored: an axis has no
     /// whole reach, or bytes are too coarse for the gradient floor.
     [[nodiscard]] static std::optional<GradientRule> of(const std::array<double, 3>& reach, double gradientFloor);
 };
@@ -62,7 +61,7 @@ public:
     /// Normalised intensity per unit.
     [[nodiscard]] float quantum() const { return m_quantum; }
     /// Cubes [first, last) on an axis have its derivatives. The differences of others would end beyond the outermost
-    /// voxels, or between voxels.
+    /// voxels.
     [[nodiscard]] std::int32_t firstCube(std::size_t axis) const { return m_firstCube[axis]; }
     [[nodiscard]] std::int32_t lastCube(std::size_t axis) const { return m_lastCube[axis]; }
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
@@ -75,7 +74,8 @@ public:
     /// Bytes of the bricks made so far.
     [[nodiscard]] std::size_t bytes() const { return m_made.load(std::memory_order_relaxed) * bytesPerBrick; }
 
-    /// The most bytes for a volume with so many bytes of packed voxels.
+    /// The most bytes that the bricks that are shown may take, for a volume with so many bytes of packed voxels. Those
+    /// that light has asked for are a part of them.
     [[nodiscard]] static std::size_t mostBytes(std::size_t packed);
 
 private:

@@ -66,13 +66,13 @@ TEST(GradientPlaces, BricksOfSteepGradientsHaveCoarserBytes) { expectDifferences
 TEST(GradientPlaces, OnlyWholeReachesAreStored) {
     VolumeGeometry geometry;
     geometry.size = {20, 20, 20};
-    geometry.spacing = {0.5, 1.0, 1.2};
-    const auto rule = GradientRule::of(reachIn(geometry), usualFloor);
+    geometry.spacing = {0.5, 1.0, 0.25};
+    const auto rule = GradientRule::of(reachIn(geometry, 4.0), usualFloor);
     ASSERT_TRUE(rule);
-    EXPECT_EQ(rule->reach, (std::array<int, 3>{2, 1, 0})) << "two units of 0.5 mm are 2, 1 and 0.83 voxels";
-    EXPECT_FALSE(GradientRule::of(reachIn(geometry, 0.7), usualFloor)) << "no axis has a whole reach";
-    EXPECT_FALSE(GradientRule::of(reachIn(geometry), 0.0)) << "bytes are too coarse for a floor of zero";
-    EXPECT_TRUE(GradientRule::of(reachIn(geometry), GradientPlaces::leastFloor));
+    EXPECT_EQ(rule->reach, (std::array<int, 3>{2, 1, 4})) << "four units of 0.25 mm";
+    EXPECT_FALSE(GradientRule::of(reachIn(geometry, 2.0), usualFloor)) << "half a voxel along y";
+    EXPECT_FALSE(GradientRule::of(reachIn(geometry, 4.0), 0.0)) << "bytes are too coarse for a floor of zero";
+    EXPECT_TRUE(GradientRule::of(reachIn(geometry, 4.0), GradientPlaces::leastFloor));
 }
 
 TEST(GradientPlaces, BricksAreMadeWhenAskedAndThreadsFindTheSame) {
@@ -117,7 +117,7 @@ void expectStoredAsDifferences(const Vec3& spacing) {
 }
 TEST(GradientPlaces, PicturesOfBytesAreThoseOfDifferences) { expectStoredAsDifferences<std::uint8_t>({1, 1, 1}); }
 TEST(GradientPlaces, PicturesOfWordsAreThoseOfDifferences) { expectStoredAsDifferences<std::uint16_t>({1, 1, 1}); }
-TEST(GradientPlaces, PicturesOfFloatsAreThoseOfDifferences) { expectStoredAsDifferences<float>({0.5, 1, 0.7}); }
+TEST(GradientPlaces, PicturesOfFloatsAreThoseOfDifferences) { expectStoredAsDifferences<float>({0.5, 1, 0.5}); }
 
 TEST(GradientPlaces, WithoutLightNothingIsStoredAndHiddenBricksAreNotMade) {
     const auto volume = held(constantVolume<std::uint8_t>({64, 64, 64}, 0.5));
