@@ -121,7 +121,9 @@ private:
     HWY_INLINE FloatVector keyLight(const Run<Voxel>& run, const Position& at, LaneMask active,
                                     FloatVector ambient) const {
         const auto zero = set(0.0f), one = set(1.0f);
-        const auto [x, y, z] = m_gradients.at(run, at, active);
+        // Lambdas cannot capture structured bindings (clang 14).
+        const Gradient gradient = m_gradients.at(run, at, active);
+        const FloatVector x = gradient.x, y = gradient.y, z = gradient.z;
         const auto square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
         const auto hasGradient = hn::Gt(square, zero);
         const auto safeSquare = hn::IfThenElse(hasGradient, square, one);
