@@ -10,7 +10,6 @@
 #include "processing/picture/render_mode.h"
 #include "processing/ray_caster/light_source.h"
 #include "processing/ray_caster/packed/border_space.h"
-#include "processing/ray_caster/packed/gradient_places.h"
 #include "processing/ray_caster/packed/packed_light.h"
 #include "processing/ray_caster/packed/packed_voxels.h"
 #include "processing/ray_caster/packed/transfer_table.h"
@@ -59,7 +58,6 @@ struct KernelJob {
     const ByteOpacities* byteOpacities = nullptr;
     const TwoDimensionalNodes* twoDimensional = nullptr;  ///< null if `table` gives opacities
     const LightSource* light = nullptr;                   ///< null if no gradient is needed
-    const GradientPlaces* gradients = nullptr;            ///< null if no gradient is stored
     const PackedLight* reaching = nullptr;                ///< null if the light asks for no light volume
     float stepUnits = 1.0f;                               ///< RayCastSettings::step
     float worthGradient = 0.0f;                           ///< LightSource::worthGradient for the step

@@ -1,5 +1,4 @@
 // The opacity, colour and light of a sample.
-#include "processing/ray_caster/packet_gradient-inl.h"
 #include "processing/ray_caster/packet_reaching-inl.h"
 
 #if defined(ECHOLUCENT_PACKET_COLOUR_INL) == defined(HWY_TARGET_TOGGLE)
@@ -18,10 +17,9 @@ struct Colour {
 
 /// The value of a table at a position from 0 on, linear between its entries.
 HWY_INLINE FloatVector entryAt(const float* entries, FloatVector position) {
-    const Floats floats;
     const auto left = truncated(position);
-    return between(hn::GatherIndex(floats, entries, left), hn::GatherIndex(floats, entries + 1, left),
-                   hn::Sub(position, hn::ConvertTo(floats, left)));
+    return between(loadEntries(entries, left), loadEntries(entries + 1, left),
+                   hn::Sub(position, hn::ConvertTo(Floats(), left)));
 }
 
 /// The colour map, as two permutations of four values instead of a look-up in memory.
@@ -74,7 +72,7 @@ template <typename Voxel>
 class Light {
 public:
     Light(const KernelJob<Voxel>& job, const RayBundle<lanes>& rays)
-        : m_source(*job.light), m_reaching(job.reaching), m_gradients(job) {
+        : m_source(*job.light), m_reaching(job.reaching), m_geometry(job.geometry), m_toTable(job.toTable) {
         for (int i = 0; i < lanes; ++i) {
             double half[3], square = 0.0;
             const double stepMm = job.rays->stepMm();
@@ -121,9 +119,9 @@ private:
     HWY_INLINE FloatVector keyLight(const Run<Voxel>& run, const Position& at, LaneMask active,
                                     FloatVector ambient) const {
         const auto zero = set(0.0f), one = set(1.0f);
-        // Lambdas cannot capture structured bindings (clang 14).
-        const Gradient gradient = m_gradients.at(run, at, active);
-        const FloatVector x = gradient.x, y = gradient.y, z = gradient.z;
+        const auto x = differenceAlong<0>(run, at, active);
+        const auto y = differenceAlong<1>(run, at, active);
+        const auto z = differenceAlong<2>(run, at, active);
         const auto square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
         const auto hasGradient = hn::Gt(square, zero);
         const auto safeSquare = hn::IfThenElse(hasGradient, square, one);
@@ -157,6 +155,38 @@ private:
                 lightOf(between(k, hn::Mul(k, k), translucency))};
     }
 
+    template <int axis>
+    static HWY_INLINE IntVector& componentOf(Position& at) {
+        if constexpr (axis == 0) return at.x;
+        if constexpr (axis == 1) return at.y;
+        if constexpr (axis == 2) return at.z;
+    }
+
+    /// Derivative along an axis, normalised intensity per unit: a central difference, whose ends do not go beyond the
+    /// outermost voxels.
+    template <int axis>
+    HWY_INLINE FloatVector differenceAlong(const Run<Voxel>& run, const Position& at, LaneMask active) const {
+        Position before = at, after = at;
+        IntVector& low = componentOf<axis>(before);
+        IntVector& high = componentOf<axis>(after);
+        const auto corner = run.corner[axis];
+        const auto place = [&](std::int64_t cube) {
+            return set(static_cast<std::int32_t>(std::clamp<std::int64_t>(cube - corner, -32767, 32767) * oneCube));
+        };
+        const auto first = place(cubeShift), last = place(cubeShift + m_geometry.size[axis] - 1);
+        const double farthest = 16000.0;
+        const auto reach = set(static_cast<std::int32_t>(std::min(m_source.reach[axis], farthest) * oneCube));
+        low = hn::Min(hn::Max(hn::Sub(low, reach), first), last);
+        high = hn::Min(hn::Max(hn::Add(high, reach), first), last);
+        const auto a = meanOf(run.volume, run.volume.offsetOf(before), before, active),
+                   b = meanOf(run.volume, run.volume.offsetOf(after), after, active);
+        const auto units =
+            hn::Mul(hn::ConvertTo(Floats(), hn::Sub(high, low)), set(m_source.unitsPerVoxel[axis] / oneCube));
+        const auto difference = hn::Mul(hn::Sub(b, a), set(m_toTable / static_cast<float>(TransferTable::intervals)));
+        const auto some = hn::Gt(units, set(0.0f));
+        return hn::IfThenElseZero(some, hn::Div(difference, hn::IfThenElse(some, units, set(1.0f))));
+    }
+
     HWY_INLINE FloatVector highlightAt(FloatVector cosine) const {
         return entryAt(m_source.highlight.data(), hn::Mul(hn::Min(hn::Max(cosine, set(0.0f)), set(1.0f)),
                                                           set(static_cast<float>(LightSource::highlightIntervals))));
@@ -164,7 +194,8 @@ private:
 
     const LightSource& m_source;
     const PackedLight* m_reaching;  ///< null if all light reaches all places
-    Gradients<Voxel> m_gradients;
+    const VolumeGeometry& m_geometry;
+    float m_toTable;
     alignas(64) float m_half[3][lanes];
 };
 

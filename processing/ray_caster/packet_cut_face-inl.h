@@ -16,7 +16,7 @@ namespace echolucent::ray_casting::HWY_NAMESPACE {
 /// The shares of a packet's rays behind their newest samples. A share below `least` counts as 0.
 class CutFaces {
 public:
-    static constexpr float least = 1e-6f;
+    static constexpr float least = 1e-8f;  // too little to change a colour in single precision
 
     HWY_INLINE CutFaces() { std::fill_n(m_unlit, lanes, 1.0f); }
 

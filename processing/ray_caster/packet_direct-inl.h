@@ -351,8 +351,8 @@ private:
     /// `position` is a table position, 0 ... intervals.
     HWY_INLINE FloatVector opacityAt(FloatVector position) const {
         if (m_job.byteOpacities != nullptr)
-            return hn::GatherIndex(Floats(), m_job.byteOpacities->data(),
-                                   rounded(hn::Mul(position, set(ByteOpacities::perLevel / m_job.toTable))));
+            return loadEntries(m_job.byteOpacities->data(),
+                               rounded(hn::Mul(position, set(ByteOpacities::perLevel / m_job.toTable))));
         return entryAt(m_job.table->opacities(), position);
     }
 

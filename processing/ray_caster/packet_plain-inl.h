@@ -48,14 +48,7 @@ inline Blend blendOf(const ColourBends& bends, const PlainSums& sums, float whit
 }
 
 HWY_INLINE FloatVector entriesOf(const float* entries, IntVector index, LaneMask active) {
-#if HWY_TARGET == HWY_AVX3
-    return FloatVector{_mm512_mask_i32gather_ps(_mm512_setzero_ps(), active.raw, index.raw, entries, sizeof(float))};
-#elif HWY_TARGET == HWY_AVX2
-    return FloatVector{_mm256_mask_i32gather_ps(_mm256_setzero_ps(), entries, index.raw,
-                                                hn::VecFromMask(Floats(), active).raw, sizeof(float))};
-#else
-    return hn::IfThenElseZero(active, hn::GatherIndex(Floats(), entries, index));
-#endif
+    return hn::IfThenElseZero(active, loadEntries(entries, hn::IfThenElseZero(hn::RebindMask(Ints(), active), index)));
 }
 
 template <typename Voxel>

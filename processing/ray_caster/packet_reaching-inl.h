@@ -36,34 +36,25 @@ HWY_INLINE LightPlace lightPlace(const PackedLight& light, const Run<Voxel>& run
 /// The means of the eight places around. `near` and `far` are the first bytes of a slice and of the next one.
 HWY_INLINE Reaching meansOf(const std::uint8_t* near, const std::uint8_t* far, IntVector offset,
                             const Position& shares) {
-    constexpr float perShare = 1.0f / (127.0f * 255.0f);
+    const auto mean = [&](const CubeOfBytes& cube) { return hn::Mul(meanOf(cube), set(1.0f / (byteScale * 255.0f))); };
 #if HWY_TARGET == HWY_SCALAR
     const auto place = static_cast<std::ptrdiff_t>(offset.raw) * PackedLight::bytesPerPlace;
     const auto share = [](IntVector position) { return (position.raw & 0xFFFF) >> 1; };
-    const int shareX = share(shares.x), shareY = share(shares.y) >> 8, shareZ = share(shares.z);
-    const auto mean = [&](std::ptrdiff_t kind) {
-        const auto alongX = [&](std::ptrdiff_t x) {
-            const auto alongY = [&](const std::uint8_t* two) { return two[0] * (127 - shareY) + two[1] * shareY; };
-            const std::ptrdiff_t at = place + x * PackedLight::bytesPerPlace + 2 * kind;
-            return fixedBetween(alongY(near + at), alongY(far + at), shareZ);
-        };
-        return hn::Mul(set(static_cast<float>(fixedBetween(alongX(0), alongX(1), shareX))), set(perShare));
-    };
-    return {mean(0), mean(1)};
+    CubeOfBytes cube{near + place, far + place, share(shares.x), share(shares.y) >> 8, share(shares.z)};
+    const auto key = mean(cube);
+    cube.near += PackedLight::bytesPerPlace / 2;
+    cube.far += PackedLight::bytesPerPlace / 2;
+    return {key, mean(cube)};
 #else
-    static_assert(PackedLight::bytesPerPlace == 1 << 2);
-    const DwordPair before = loadPairs<2>(near, offset), behind = loadPairs<2>(far, offset);
-    const auto shareY = byteShares(shares.y);
-    const auto shareX = wordShares(shares.x), shareZ = wordShares(shares.z);
-    const auto alongZ = [&](IntVector nearer, IntVector farther) {
-        const Bytes bytes;
-        return fixedBetween(pairSums(hn::BitCast(bytes, nearer), shareY), pairSums(hn::BitCast(bytes, farther), shareY),
-                            shareZ);
-    };
-    const auto both =
-        hn::BitCast(Ints(), fixedBetween(alongZ(before.low, behind.low), alongZ(before.high, behind.high), shareX));
-    const auto share = [&](IntVector word) { return hn::Mul(hn::ConvertTo(Floats(), word), set(perShare)); };
-    return {share(hn::And(both, set(0xFFFF))), share(hn::ShiftRight<16>(both))};
+    static_assert(PackedLight::bytesPerPlace == 1 << 3);
+    const DwordPair before = loadPairs<3>(near, offset), behind = loadPairs<3>(far, offset);
+    CubeOfBytes cube = sharesOf(shares);
+    cube.near = hn::BitCast(Bytes(), before.low);
+    cube.far = hn::BitCast(Bytes(), behind.low);
+    const auto key = mean(cube);
+    cube.near = hn::BitCast(Bytes(), before.high);
+    cube.far = hn::BitCast(Bytes(), behind.high);
+    return {key, mean(cube)};
 #endif
 }
 

@@ -31,8 +31,7 @@ struct Run {
     std::array<std::int64_t, 3> corner;                       ///< cube
     FloatVector startX, startY, startZ, stepX, stepY, stepZ;  ///< 1/65536 cubes
     FloatVector begin, end;                                   ///< the samples of each ray: begin <= i < end
-    bool near = true;     ///< whether all cut steps lie near enough to the corner to count from it
-    bool stored = false;  ///< whether GradientPlaces have all derivatives of all samples
+    bool near = true;  ///< whether all cut steps lie near enough to the corner to count from it
 
     HWY_INLINE Position at(FloatVector i) const {
         return {truncated(hn::MulAdd(i, stepX, startX)), truncated(hn::MulAdd(i, stepY, startY)),
@@ -329,13 +328,6 @@ private:
         run.volume = {voxels.cubes() + offset * voxelsPerCube, nullptr, voxels.rowStride(), voxels.sliceStride()};
         if (m_job.borders != nullptr && touchesBorder(low, high))
             run.volume.presence = m_job.presence + offset * voxelsPerCube;
-        if (m_job.gradients == nullptr) return;
-        run.stored = true;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            constexpr double rounding = 0.01;
-            run.stored = run.stored && low[axis] - rounding >= m_job.gradients->firstCube(axis) &&
-                         high[axis] + rounding < m_job.gradients->lastCube(axis);
-        }
     }
 
     void setLanes(Run<Voxel>& run, int lane) const {

@@ -69,6 +69,41 @@ struct Position {
 };
 constexpr std::int32_t oneCube = 1 << 16;
 
+/// A vector of numbers that lie apart in memory, `offset` times 2^shift bytes after `base` for each lane: one load
+/// after the other. Gathers are no quicker where they are quick, and slow where the processor's microcode has it so
+/// (docs/experiments.md).
+template <typename Number, int count, int shift>
+HWY_INLINE hn::Vec<hn::CappedTag<Number, count> > loadApart(const void* base, const std::int32_t* offsets) {
+    const hn::CappedTag<Number, count> numbers;
+    if constexpr (count == 1) {
+        const auto* const from = static_cast<const char*>(base) + (static_cast<std::ptrdiff_t>(*offsets) << shift);
+        return hn::LoadU(numbers, reinterpret_cast<const Number*>(from));
+    }
+#if HWY_TARGET != HWY_SCALAR
+    else {
+        return hn::Combine(numbers, loadApart<Number, count / 2, shift>(base, offsets + count / 2),
+                           loadApart<Number, count / 2, shift>(base, offsets));
+    }
+#endif
+}
+
+template <int shift>
+HWY_INLINE IntVector loadDwords(const void* base, IntVector offset) {
+    alignas(64) std::int32_t offsets[lanes];
+    hn::Store(offset, Ints(), offsets);
+    return loadApart<std::int32_t, lanes, shift>(base, offsets);
+}
+HWY_INLINE FloatVector loadEntries(const float* table, IntVector index) {
+    return hn::BitCast(Floats(), loadDwords<2>(table, index));
+}
+
+/// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. Other
+/// lanes read the first cube.
+HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
+    static_assert(voxelsPerCube == 2);
+    return loadDwords<1>(cubes, hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset));
+}
+
 /// Two neighbouring dwords in memory for each lane. loadPairs() reads them `offset` times 2^shift bytes after `base`.
 struct DwordPair {
     IntVector low, high;
@@ -95,15 +130,6 @@ HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
     std::memcpy(pair, static_cast<const char*>(base) + (static_cast<std::ptrdiff_t>(offset.raw) << shift),
                 sizeof(pair));
     return {set(pair[0]), set(pair[1])};
-}
-
-/// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. Other
-/// lanes read the first cube.
-HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
-    const auto first = static_cast<std::ptrdiff_t>(hn::IfThenElseZero(hn::RebindMask(Ints(), active), offset).raw);
-    std::int32_t four;
-    std::memcpy(&four, cubes + first * voxelsPerCube, sizeof(four));
-    return set(four);
 }
 
 /// Between two numbers, with a share of 15 bits.
@@ -133,18 +159,16 @@ HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {
 
 using Words = hn::Repartition<std::int16_t, Floats>;
 using Bytes = hn::Repartition<std::uint8_t, Floats>;
-using Pairs = hn::Repartition<std::int64_t, Floats>;
-using HalfInts = hn::Half<Ints>;
 
 template <int shift>
 HWY_INLINE DwordPair loadPairs(const void* base, IntVector offset) {
-    const Pairs pairs;
     const Ints ints;
-    const auto* from = static_cast<const std::int64_t*>(base);
-    const auto first = hn::ShiftLeft<shift>(hn::PromoteTo(pairs, hn::LowerHalf(HalfInts(), offset)));
-    const auto second = hn::ShiftLeft<shift>(hn::PromoteTo(pairs, hn::UpperHalf(HalfInts(), offset)));
-    const auto lower = hn::BitCast(ints, hn::GatherOffset(pairs, from, first));
-    const auto upper = hn::BitCast(ints, hn::GatherOffset(pairs, from, second));
+    alignas(64) std::int32_t offsets[lanes];
+    hn::Store(offset, ints, offsets);
+    const auto pairs = [&](int first) {
+        return hn::BitCast(ints, loadApart<std::int64_t, lanes / 2, shift>(base, offsets + first));
+    };
+    const auto lower = pairs(0), upper = pairs(lanes / 2);
     return {hn::ConcatEven(ints, upper, lower), hn::ConcatOdd(ints, upper, lower)};
 }
 
@@ -190,24 +214,6 @@ HWY_INLINE IntVector pairSums(hn::Vec<Words> values, hn::Vec<Words> factors) {
     const auto sum = hn::ReorderWidenMulAccumulate(ints, values, factors, hn::Zero(ints), rest);
     return hn::RearrangeToOddPlusEven(sum, rest);
 }
-/// Loads four bytes for each active lane, from the cube `offset` cubes after the first and the next cube along x. What
-/// other lanes get must not matter: 0, or on some machines the first cube's bytes.
-HWY_INLINE hn::Vec<Bytes> gatherCubes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
-#if HWY_TARGET == HWY_AVX3
-    return hn::Vec<Bytes>{
-        _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), active.raw, offset.raw, cubes, voxelsPerCube)};
-#elif HWY_TARGET == HWY_AVX2
-    return hn::Vec<Bytes>{
-        _mm256_mask_i32gather_epi32(_mm256_setzero_si256(), reinterpret_cast<const int*>(cubes), offset.raw,
-                                    hn::BitCast(Ints(), hn::VecFromMask(Floats(), active)).raw, voxelsPerCube)};
-#else
-    const auto bytes = hn::IfThenElseZero(hn::RebindMask(Ints(), active), hn::ShiftLeft<1>(offset));
-    return hn::BitCast(Bytes(), hn::GatherOffset(Ints(), reinterpret_cast<const std::int32_t*>(cubes), bytes));
-#endif
-}
-HWY_INLINE IntVector fourBytes(const std::uint8_t* cubes, IntVector offset, LaneMask active) {
-    return hn::BitCast(Ints(), gatherCubes(cubes, offset, active));
-}
 
 /// Between two numbers, with a share of 15 bits.
 HWY_INLINE hn::Vec<Words> fixedBetween(hn::Vec<Words> from, hn::Vec<Words> to, hn::Vec<Words> share) {
@@ -229,10 +235,9 @@ HWY_INLINE CubeOfBytes sharesOf(const Position& at) {
 }
 HWY_INLINE CubeOfBytes cubeOfBytes(const std::uint8_t* cubes, std::int64_t sliceStride, IntVector offset,
                                    const Position& at, LaneMask active) {
-    static_assert(voxelsPerCube == 2);
     CubeOfBytes cube = sharesOf(at);
-    cube.near = gatherCubes(cubes, offset, active);
-    cube.far = gatherCubes(cubes + sliceStride * voxelsPerCube, offset, active);
+    cube.near = hn::BitCast(Bytes(), fourBytes(cubes, offset, active));
+    cube.far = hn::BitCast(Bytes(), fourBytes(cubes + sliceStride * voxelsPerCube, offset, active));
     return cube;
 }
 HWY_INLINE FloatVector meanOf(const CubeOfBytes& cube) {

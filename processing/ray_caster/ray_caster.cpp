@@ -88,7 +88,6 @@ public:
           m_empty(m_ranges.grid()),
           m_borders(other.m_borders),
           m_packed(other.m_packed),
-          m_places(other.m_places),
           m_reaching(volume) {}
     Parts& operator=(const Parts&) = delete;
     Parts(Parts&&) = delete;
@@ -140,7 +139,6 @@ public:
 
     [[nodiscard]] double lightMilliseconds() const { return m_reaching.milliseconds(); }
     [[nodiscard]] double castShare() const { return m_castShare; }
-    [[nodiscard]] std::size_t storedGradientBytes() const { return m_places ? m_places->bytes() : 0; }
 
     std::shared_ptr<const Volume> volume;
     KeptViews kept;
@@ -176,21 +174,6 @@ private:
         m_visible.emplace(*otf.twoDimensional());
         m_visibleOf = otf;
         return true;
-    }
-
-    /// The gradients for a light. Null if the bricks that are shown may need too much memory, or nothing can be stored.
-    /// So a picture does not depend on those before.
-    template <typename Voxel>
-    const GradientPlaces* gradientsFor(const PackedVoxels<Voxel>& packed, const LightSource& light,
-                                       double gradientFloor, std::int64_t shown) {
-        const std::optional<GradientRule> rule = GradientRule::of(light.reach, gradientFloor);
-        const std::size_t most = GradientPlaces::mostBytes(packed.bytes());
-        if (!rule || static_cast<std::size_t>(shown) * GradientPlaces::bytesPerBrick > most) return nullptr;
-        if (!m_places || !(m_places->rule() == *rule) || m_places->bytes() > most)
-            m_places = std::make_shared<const GradientPlaces>(
-                std::shared_ptr<const PackedVoxels<Voxel>>(m_packed, &packed), volume->geometry(),
-                PackedVoxels<Voxel>::toTable(volume->whiteLevel()), *rule);
-        return m_places.get();
     }
 
     template <typename Voxel>
@@ -253,12 +236,9 @@ private:
                 m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();
         }
-        if (light)
-            job.gradients = gradientsFor(packed, *light, settings.shading->gradientFloor,
-                                         job.distances != nullptr ? m_empty.shown() : m_ranges.grid().count());
-        m_castShare = 1.0;
         // Between rays that are farther apart lie whole voxels that no ray has seen.
         const bool close = raysApart * rays.widestPixelMm(volume->geometry()) <= volume->geometry().unit();
+        m_castShare = 1.0;
         const bool sparse =
             direct && settings.pixelTolerance > 0.0 && !settings.findDepth && job.kept == nullptr && close;
         return sparse ? castSparsely(job, settings.pixelTolerance, progress, m_castShare) : castTiles(job, progress);
@@ -269,7 +249,6 @@ private:
     EmptySpace m_empty;
     BorderSpace m_borders;
     std::shared_ptr<const Packed> m_packed;
-    std::shared_ptr<const GradientPlaces> m_places;  ///< of the newest light
     LightReaching m_reaching;
     std::optional<PackedGradients> m_gradients;  ///< of the newest two-dimensional OTF
     std::optional<VisibleNodes> m_visible;
@@ -302,8 +281,6 @@ double RayCaster::lightMilliseconds() const { return m_parts->lightMilliseconds(
 double RayCaster::castShare() const { return m_parts->castShare(); }
 
 SampleUse RayCaster::sampleUse() const { return m_parts->kept.sampleUse(); }
-
-std::size_t RayCaster::storedGradientBytes() const { return m_parts->storedGradientBytes(); }
 
 std::size_t RayCaster::keptSampleBytes() const { return m_parts->kept.bytes(); }
 

@@ -84,8 +84,6 @@ public:
     static constexpr std::size_t sampleMemoryLimit = std::size_t{512} << 20;
     /// Bytes of kept samples now.
     [[nodiscard]] std::size_t keptSampleBytes() const;
-    /// Bytes of the gradients that light has asked for so far. Casters of one volume share them.
-    [[nodiscard]] std::size_t storedGradientBytes() const;
 
 private:
     class Parts;

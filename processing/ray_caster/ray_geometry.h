@@ -112,7 +112,7 @@ public:
     };
     [[nodiscard]] PixelBox visiblePixels() const;
 
-    /// The distance of the rays of neighbouring pixels, mm, where it is largest in the volume's box.
+    /// How far the rays of two neighbouring pixels lie apart in the volume's box at most, mm.
     [[nodiscard]] double widestPixelMm(const VolumeGeometry& geometry) const;
 
     [[nodiscard]] bool parallel() const { return m_parallel; }

@@ -147,15 +147,12 @@ void takeSamples(benchmark::State& state) {
     const auto packed = std::make_shared<const PackedVoxels<std::uint8_t>>(*volume);
     const RayGeometry rays(geometry, settings);
     const LightSource light = lightSource(Shading{}, geometry, settings.camera.frame, settings.colourMap);
-    const GradientPlaces places(packed, geometry, PackedVoxels<std::uint8_t>::toTable(volume->whiteLevel()),
-                                *GradientRule::of(light.reach, Shading{}.gradientFloor));
     Picture picture = emptyPicture(settings.width, settings.height);
     KernelJob<std::uint8_t> job;
     job.voxels = packed.get();
     job.geometry = geometry;
     job.rays = &rays;
     job.light = &light;
-    job.gradients = &places;
     job.picture = &picture;
     for (auto _ : state) benchmark::DoNotOptimize(bench::sumOfSamples(job, floor));
     countSamples(state, *volume, settings);

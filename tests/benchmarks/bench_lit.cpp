@@ -1,5 +1,5 @@
-// echolucent-bench-lit: what a picture costs unlit, lit on surfaces and lit by what reaches, in high quality, as the
-// program opens a volume.
+// echolucent-bench-lit: what a picture in high quality costs as the program opens a volume, and what pixels between
+// rays spare of it, side by side.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -53,7 +53,7 @@ Opened opened(std::shared_ptr<const Volume> volume) {
 }
 
 /// High quality, seen 20 and -12 degrees off the beam and turned a little, so that no picture can use the one before.
-RayCastSettings settingsOf(const Opened& opened, Light light, int edge, double turnDegrees, double tolerance = -1.0) {
+RayCastSettings settingsOf(const Opened& opened, Light light, int edge, double turnDegrees, bool everyPixel) {
     RayCastSettings settings = rayCastSettings(opened.look);
     settings.width = settings.height = edge;
     Viewpoint view = opened.view;
@@ -63,7 +63,7 @@ RayCastSettings settingsOf(const Opened& opened, Light light, int edge, double t
     if (light == Light::none) settings.shading.reset();
     if (light == Light::surface) settings.shading = Shading{};
     settings = settingsAt(highQuality, limitedTo(view, opened.raw->geometry(), settings));
-    if (tolerance >= 0.0) settings.pixelTolerance = tolerance;
+    if (everyPixel) settings.pixelTolerance = 0.0;
     return settings;
 }
 
@@ -71,41 +71,51 @@ struct Options {
     std::vector<int> edges{512, 1024};
     std::vector<Light> lights{Light::none, Light::surface, Light::depth};
     int runs = 9, errorEdge = 0;
-    double tolerance = -1.0;
 };
 
+void printError(const Picture& picture, const Picture& reference) {
+    const PictureError error = pictureError(picture, reference);
+    fmt::print(" {:.2f}, {:.1f} |", error.rmse, error.largest);
+}
+
+/// Every pixel and pixels between rays in turn, picture by picture.
+void printRow(const std::string& name, const Opened& opened, const Options& options, Light light, int edge) {
+    RayCaster every(opened.quiet);
+    RayCaster between = every.sharing();
+    std::vector<double> everyMs, betweenMs, lightMs;
+    const auto cast = [&](RayCaster& caster, bool everyPixel, double turn, std::vector<double>& milliseconds) {
+        const RayCastSettings settings = settingsOf(opened, light, edge, turn, everyPixel);
+        const bench::Cost cost = bench::costOf([&] { (void)*caster.cast(opened.curve, settings); });
+        lightMs.push_back(caster.lightMilliseconds());
+        milliseconds.push_back(cost.wallMs - lightMs.back());
+    };
+    const auto castBoth = [&](double turn) {
+        cast(every, true, turn, everyMs);
+        cast(between, false, turn, betweenMs);
+    };
+    // The first pictures make what a curve's pictures have in common.
+    castBoth(-0.01);
+    for (auto* const taken : {&everyMs, &betweenMs, &lightMs}) taken->clear();
+    for (int run = 0; run < options.runs; ++run) castBoth(0.01 * run);
+    const Picture picture = *every.cast(opened.curve, settingsOf(opened, light, edge, 0.0, true));
+    const Picture interpolated = *between.cast(opened.curve, settingsOf(opened, light, edge, 0.0, false));
+    const double first = medianOf(everyMs), last = medianOf(betweenMs);
+    fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.2f} | {:.0f} | {:.1f} |", name, edge, nameOf(light), first, last,
+               last / first, 100.0 * between.castShare(), medianOf(lightMs));
+    printError(interpolated, picture);
+    if (options.errorEdge > 0) {
+        const RayCastSettings settings = settingsOf(opened, light, options.errorEdge, 0.0, false);
+        const PlainCasting casting{.leastLitOpacity = ray_casting::LightSource::worthGradient * settings.step};
+        printError(*between.cast(opened.curve, settings),
+                   *castRaysPlainly(*opened.quiet, opened.curve, settings, casting));
+    }
+    fmt::print("\n");
+    std::fflush(stdout);
+}
+
 void printRows(const std::string& name, const Opened& opened, const Options& options) {
-    RayCaster caster(opened.quiet);
     for (const int edge : options.edges)
-        for (const Light light : options.lights) {
-            std::vector<double> milliseconds, lit, cpu;
-            // The first picture makes what a curve's pictures have in common.
-            for (int run = -1; run < options.runs; ++run) {
-                const RayCastSettings settings = settingsOf(opened, light, edge, 0.01 * run, options.tolerance);
-                const bench::Cost cost = bench::costOf([&] { (void)*caster.cast(opened.curve, settings); });
-                if (run < 0) continue;
-                lit.push_back(caster.lightMilliseconds());
-                milliseconds.push_back(cost.wallMs - lit.back());
-                cpu.push_back(cost.cpuMs);
-            }
-            RayCastSettings every = settingsOf(opened, light, edge, 0.0, options.tolerance);
-            const Picture some = *caster.cast(opened.curve, every);
-            const double share = caster.castShare();
-            every.pixelTolerance = 0.0;
-            const PictureError between = pictureError(some, *castRays(*opened.quiet, opened.curve, every));
-            fmt::print("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f} | {:.0f} | {:.2f} | {:.1f} |", name, edge,
-                       nameOf(light), medianOf(milliseconds), medianOf(lit), medianOf(cpu), 100.0 * share, between.rmse,
-                       between.largest);
-            if (options.errorEdge > 0) {
-                const RayCastSettings settings = settingsOf(opened, light, options.errorEdge, 0.0, options.tolerance);
-                const PlainCasting plain{.leastLitOpacity = ray_casting::LightSource::worthGradient * settings.step};
-                const PictureError error = pictureError(*caster.cast(opened.curve, settings),
-                                                        *castRaysPlainly(*opened.quiet, opened.curve, settings, plain));
-                fmt::print(" {:.3f} | {:.1f} |", error.rmse, error.largest);
-            }
-            fmt::print("\n");
-            std::fflush(stdout);
-        }
+        for (const Light light : options.lights) printRow(name, opened, options, light, edge);
 }
 
 }  // namespace
@@ -124,17 +134,18 @@ int main(int count, char** arguments) {
     app.add_option("--lights", options.lights, "kinds of light")
         ->delimiter(',')
         ->transform(CLI::CheckedTransformer(lights));
-    app.add_option("--tolerance", options.tolerance,
-                   "levels by which interpolated pixels may err; else those of high quality");
     app.add_option("--error-size", options.errorEdge,
                    "pixels along each edge of a picture that is compared with the plain route");
     CLI11_PARSE(app, count, arguments);
+    const bool plain = options.errorEdge > 0;
     fmt::print(
-        "| volume | pixels | light | ms but for the light volume | ms of the light volume | CPU ms | rays, % | RMSE "
-        "from every pixel cast | largest |{}\n",
-        options.errorEdge > 0 ? " RMSE from the plain route | largest |" : "");
-    fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |{}\n",
-               options.errorEdge > 0 ? " --- | --- |" : "");
+        "| volume | pixels | light | ms, every pixel | ms, pixels between rays | ratio | rays, % | ms of the light "
+        "volume "
+        "| err of pixels between rays (RMSE, largest) |{}\n",
+        plain ? " err from the plain route |" : "");
+    std::string line = "|";
+    for (int column = 0; column < (plain ? 10 : 9); ++column) line += "---|";
+    fmt::print("{}\n", line);
     if (phantom > 0) {
         PhantomConfig config = defaultPhantom(PhantomScene::fetus);
         config.size = {phantom, phantom, phantom};

@@ -1,15 +1,34 @@
 #include "tests/benchmarks/kernel_floor.h"
 
+#include <algorithm>
+
 #include "processing/ray_caster/packet_targets.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/benchmarks/kernel_floor.cpp"
 #include <hwy/foreach_target.h>
 
-#include "processing/ray_caster/packet_gradient-inl.h"
+#include "processing/ray_caster/packet_run-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace echolucent::ray_casting::HWY_NAMESPACE {
+
+/// The difference of two samples along an axis. Their places stay within the outermost voxels.
+HWY_INLINE FloatVector differenceAlong(const KernelJob<std::uint8_t>& job, const Run<std::uint8_t>& run,
+                                       const Position& at, IntVector Position::*along, std::size_t axis,
+                                       LaneMask active) {
+    const auto place = [&](std::int64_t cube) {
+        return set(
+            static_cast<std::int32_t>(std::clamp<std::int64_t>(cube - run.corner[axis], -32767, 32767) * oneCube));
+    };
+    const auto first = place(cubeShift), last = place(cubeShift + job.geometry.size[axis] - 1);
+    const auto reach = set(static_cast<std::int32_t>(job.light->reach[axis] * oneCube));
+    Position before = at, behind = at;
+    before.*along = hn::Max(hn::Sub(before.*along, reach), first);
+    behind.*along = hn::Min(hn::Add(behind.*along, reach), last);
+    return hn::Sub(meanOf(run.volume, run.volume.offsetOf(behind), behind, active),
+                   meanOf(run.volume, run.volume.offsetOf(before), before, active));
+}
 
 template <bool withGradients>
 double sumOf(const KernelJob<std::uint8_t>& job) {
@@ -35,14 +54,15 @@ double sumOf(const KernelJob<std::uint8_t>& job) {
                         for (int k = 0; k < group; ++k) {
                             const auto number = set(static_cast<float>(i + k));
                             const Position at = run.at(number);
-                            const Gradient g =
-                                gradientBetween(addressesOf(*job.gradients, run, at, run.inRange(number)), at,
-                                                job.gradients->quantum());
-                            const auto square = hn::MulAdd(g.x, g.x, hn::MulAdd(g.y, g.y, hn::Mul(g.z, g.z)));
+                            const LaneMask active = run.inRange(number);
+                            const FloatVector x = differenceAlong(job, run, at, &Position::x, 0, active);
+                            const FloatVector y = differenceAlong(job, run, at, &Position::y, 1, active);
+                            const FloatVector z = differenceAlong(job, run, at, &Position::z, 2, active);
+                            const auto square = hn::MulAdd(x, x, hn::MulAdd(y, y, hn::Mul(z, z)));
                             const auto share = hn::Div(square, hn::Add(square, set(job.light->floorSquare)));
-                            const auto towards = hn::MulAdd(g.x, set(job.light->towardsLight[0]),
-                                                            hn::MulAdd(g.y, set(job.light->towardsLight[1]),
-                                                                       hn::Mul(g.z, set(job.light->towardsLight[2]))));
+                            const auto towards = hn::MulAdd(x, set(job.light->towardsLight[0]),
+                                                            hn::MulAdd(y, set(job.light->towardsLight[1]),
+                                                                       hn::Mul(z, set(job.light->towardsLight[2]))));
                             const auto facing = hn::Div(towards, hn::Sqrt(hn::Add(square, set(1e-12f))));
                             sum = hn::MulAdd(share, facing, sum);
                         }

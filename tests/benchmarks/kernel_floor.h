@@ -9,11 +9,11 @@ namespace echolucent::bench {
 
 enum class FloorOf {
     value,    ///< trilinear values
-    gradient  ///< values and stored gradients, and the light that falls on them
+    gradient  ///< values, the differences of six others, and the light that falls on them
 };
 
-/// Takes every sample of a picture's rays in one thread, and adds up what it finds. For FloorOf::gradient the job has
-/// gradients. The sum is of no meaning; nobody may leave its parts out.
+/// Takes every sample of a picture's rays in one thread, and adds up what it finds. The sum is of no meaning; nobody
+/// may leave its parts out.
 [[nodiscard]] double sumOfSamples(const ray_casting::KernelJob<std::uint8_t>& job, FloorOf floor);
 
 }  // namespace echolucent::bench

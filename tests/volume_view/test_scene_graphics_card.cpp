@@ -231,9 +231,7 @@ private slots:
         // Rays jump to a ball that lets light through, and leave the front's surface again, which is made for another
         // view.
         const auto ballInNothing = volumeOf(geometryOf(70, 66, 68), [](double x, double y, double z) {
-            // The rim is so wide that its gradients fit into the bytes in which the processor keeps them.
-            const double inside = std::clamp((20 - length(Vec3(x, y, z) - Vec3(40, 33, 30))) / 6, 0.0, 1.0);
-            return static_cast<int>(inside * (140 + x));
+            return length(Vec3(x, y, z) - Vec3(40, 33, 30)) < 18 ? 140 + static_cast<int>(x) : 0;
         });
         settings = litSettings(*ballInNothing);
         settings.cutSurface = dome(*ballInNothing, frameOf(Viewpoint{BeamAxis::plusX, 0, 0, 0}), 0.5);

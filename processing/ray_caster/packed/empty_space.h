@@ -50,8 +50,6 @@ public:
     [[nodiscard]] const BrickGrid& grid() const { return m_grid; }
     /// Whether any brick shows nothing.
     [[nodiscard]] bool any() const { return m_emptyBricks > 0; }
-    /// Bricks that show something.
-    [[nodiscard]] std::int64_t shown() const { return m_grid.count() - m_emptyBricks; }
     /// One number a brick: 0 if the brick shows something. Else d, if no brick less than d away on every axis shows
     /// anything.
     [[nodiscard]] const std::vector<std::uint8_t>& distances() const { return m_distances; }

@@ -11,15 +11,14 @@
 
 namespace echolucent::ray_casting {
 
-/// Four bytes for each place (x,y): the key light at places (x,y) and (x,y+1) of its slice, then the light around the
-/// viewer at the same places. So two loads of eight bytes, which reach the next place along x too, give both lights
-/// between eight places.
+/// Eight bytes for each place (x,y): the key light at places (x,y), (x,y+1), (x+1,y), (x+1,y+1) of its slice, then the
+/// light around the viewer at the same places. So two loads of eight bytes give both lights between eight places.
 struct PackedLight {
-    static constexpr int bytesPerPlace = 4;
+    static constexpr int bytesPerPlace = 8;
 
     PackedLight(const LightVolume& light, const VolumeGeometry& geometry);
 
-    std::vector<std::uint8_t> places;  ///< with one slice and one place more, for places that are rounded up
+    std::vector<std::uint8_t> places;  ///< with one slice more than the light volume, for places that are rounded up
     std::array<std::int32_t, 3> size;  ///< places along x, y, z, without that slice
     std::array<double, 3> perVoxel, firstVoxel{};  ///< place = (voxel position) * perVoxel + firstVoxel
 };

@@ -25,7 +25,6 @@ public:
     explicit PackedVoxels(const Volume& filled);
 
     [[nodiscard]] const Voxel* cubes() const { return m_cubes.get(); }
-    [[nodiscard]] std::size_t bytes() const { return m_order.stored() * sizeof(Voxel); }
     /// The factor from a packed value to its table position.
     [[nodiscard]] static float toTable(double whiteLevel);
     [[nodiscard]] std::int64_t rowStride() const { return m_order.rowStride; }      ///< cubes

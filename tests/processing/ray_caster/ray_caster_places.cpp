@@ -148,8 +148,7 @@ void expectSoundPictures(const Volume& volume, const RayCastSettings& settings, 
     for (const OpacityCurve& curve : {OpacityCurve{PowerCurve{2, 0.7}}, OpacityCurve{LinearCurve{0.3, 1.0, 1.0}}}) {
         const auto picture = castRays(volume, curve, settings);
         for (const float value : picture->rgba) ASSERT_TRUE(value >= 0.0f && value <= 1.0f) << what;
-        // Beside voxels that are not finite, a brick's gradients fit into bytes only if they are coarse.
-        EXPECT_LT(largestDifference(volume, curve, settings), std::max(8e-3, noiseTolerance(volume, false))) << what;
+        EXPECT_LT(largestDifference(volume, curve, settings), std::max(3e-3, noiseTolerance(volume, false))) << what;
     }
 }
 

@@ -29,7 +29,7 @@ inline bool isOfBytes(const Volume& volume) {
 /// tolerance is small. Steps, cuts, masks and curves are the same for all.
 inline double noiseTolerance(const Volume& volume, bool shaded) {
     if (isOfBytes(volume)) return shaded ? 0.08 : 0.02;
-    return shaded ? 6e-3 : 2e-4;
+    return shaded ? 3e-3 : 2e-4;
 }
 
 class ReferenceCaster {

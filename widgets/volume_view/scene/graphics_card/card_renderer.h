@@ -46,9 +46,9 @@ public:
     [[nodiscard]] bool goesOn() const { return m_begun.picture != nullptr; }
     /// The newest picture that is done; null if there is none. It stays while another is drawn.
     [[nodiscard]] const std::shared_ptr<const CardPicture>& drawn() const { return m_drawn; }
-    /// Its pixels, rows from the top: premultiplied colours, and depths of 1e38 where there are none.
+    /// Its premultiplied colours, rows from the top.
     [[nodiscard]] vtkTextureObject& colours();
-    /// Only if the settings asked for depths.
+    /// Its depths, mm: 1e38 in a pixel without one. Only if the settings asked for depths.
     [[nodiscard]] vtkTextureObject& depths();
     /// The same, read back.
     [[nodiscard]] Picture read() const;
