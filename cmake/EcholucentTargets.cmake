@@ -3,11 +3,13 @@
 # room, also those in anonymous namespaces. Files with compile options of their own are compiled by themselves.
 
 # Headers of others that most files of a target read are parsed once, if files are compiled one by one, or by clang, to which they
-# are a fifth of a room's time. To g++ they are a twentieth, with Qt a sixth, and it would parse them first. Each file
-# still includes what it uses: scripts/check compiles each alone.
+# are a fifth of a room's time. To g++ they are a twentieth, with Qt a sixth, with GoogleTest a fifth, and it parses them before
+# anything else: it gains by that if there are MANY_ROOMS. Each file still includes what it uses: scripts/check compiles each alone.
 function(echolucent_precompile name)
-    if(ARGN AND NOT (CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
-        target_precompile_headers(${name} PRIVATE ${ARGN})
+    cmake_parse_arguments(ARG "MANY_ROOMS" "" "" ${ARGN})
+    set(headers ${ARG_UNPARSED_ARGUMENTS})
+    if(headers AND (ARG_MANY_ROOMS OR NOT CMAKE_UNITY_BUILD OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU"))
+        target_precompile_headers(${name} PRIVATE ${headers})
         # ccache asks for -fpch-preprocess. From precompiled headers g++ 12 forgets where its own std::string silences these
         # warnings; scripts/check sees true ones.
         target_compile_options(${name} PRIVATE
@@ -182,7 +184,7 @@ endfunction()
 # APPLICATION is core, widgets or view; SCREEN is none, offscreen (no OpenGL there) or virtual (Xvfb, OpenGL by llvmpipe). LONG
 # says that some functions take more inputs in the long run.
 function(echolucent_qt_test name)
-    cmake_parse_arguments(ARG "LONG" "LAYER;APPLICATION;SCREEN;PARTS;COST" "FOLDERS;FILES;EXCEPT;LINK" ${ARGN})
+    cmake_parse_arguments(ARG "LONG" "LAYER;APPLICATION;SCREEN;PARTS;COST" "FOLDERS;FILES;EXCEPT;LINK;PRECOMPILED" ${ARGN})
     echolucent_sources(sources FOLDERS ${ARG_FOLDERS} FILES ${ARG_FILES} EXCEPT ${ARG_EXCEPT})
     set(frame ${PROJECT_SOURCE_DIR}/tests/qt_program)
     list(APPEND sources ${frame}/test_classes.h ${frame}/main.cpp ${frame}/${ARG_APPLICATION}_application.cpp)
@@ -193,7 +195,7 @@ function(echolucent_qt_test name)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     target_link_libraries(${name} PRIVATE ${ARG_LINK} Qt6::Test)
     echolucent_test_program(${name} ${ARG_LAYER})
-    echolucent_precompile(${name} <QTest> <memory> <opencv2/core/matx.hpp> <string> <vector>)
+    echolucent_precompile(${name} <QTest> <memory> <opencv2/core/matx.hpp> <string> <vector> ${ARG_PRECOMPILED})
     set(command ${name})
     set(environment)
     if(ARG_SCREEN STREQUAL virtual)

@@ -54,6 +54,16 @@ Range<T> rangeOf(const std::vector<Bytes>& phases) {
     return range;
 }
 
+template <typename Word, typename Swap>
+void swapBytes(Bytes& bytes, const Swap& swap) {
+    for (std::size_t i = 0; i + sizeof(Word) <= bytes.size(); i += sizeof(Word)) {
+        Word word;
+        std::memcpy(&word, &bytes[i], sizeof(word));
+        word = swap(word);
+        std::memcpy(&bytes[i], &word, sizeof(word));
+    }
+}
+
 template <typename From, typename To>
 void convertAll(std::vector<Bytes>& phases, ConvertedVoxels& result) {
     for (Bytes& bytes : phases) {
@@ -211,11 +221,13 @@ std::optional<std::string> problemOfFloats(const std::vector<VoxelBytes>& phases
 }
 
 void toMachineByteOrder(VoxelBytes& bytes, StoredType type, bool bigEndian) {
-    const auto width = static_cast<std::size_t>(bytesOf(type));
-    if (!bigEndian || width == 1) return;
-    for (std::size_t i = 0; i + width <= bytes.size(); i += width)
-        std::reverse(bytes.begin() + static_cast<std::ptrdiff_t>(i),
-                     bytes.begin() + static_cast<std::ptrdiff_t>(i + width));
+    if (!bigEndian) return;
+    switch (bytesOf(type)) {
+        case 2: return swapBytes<std::uint16_t>(bytes, [](std::uint16_t value) { return __builtin_bswap16(value); });
+        case 4: return swapBytes<std::uint32_t>(bytes, [](std::uint32_t value) { return __builtin_bswap32(value); });
+        case 8: return swapBytes<std::uint64_t>(bytes, [](std::uint64_t value) { return __builtin_bswap64(value); });
+        default: return;
+    }
 }
 
 void reduceToLuma(VoxelBytes& bytes, StoredType type) {

@@ -29,7 +29,9 @@ HostileFile hostileFile(std::string name, std::string file, std::string bytes, s
     return row;
 }
 
-std::vector<HostileFile> hostileFiles() {
+namespace {
+
+std::vector<HostileFile> allRows() {
     std::vector<HostileFile> all;
     for (const auto rows : {hostileTextHeaders,
                             hostileNifti,
@@ -57,6 +59,13 @@ std::vector<HostileFile> hostileFiles() {
         all.insert(all.end(), std::make_move_iterator(topic.begin()), std::make_move_iterator(topic.end()));
     }
     return all;
+}
+
+}  // namespace
+
+const std::vector<HostileFile>& hostileFiles() {
+    static const std::vector<HostileFile> rows = allRows();
+    return rows;
 }
 
 std::vector<HostileFile> sampleOf(const std::vector<HostileFile>& rows) {

@@ -70,7 +70,8 @@ inline const std::string dicomStructureTopic = "dicom-structure/";
 [[nodiscard]] std::vector<HostileFile> hostileEnhancedUs();      ///< Enhanced US Volumes that contradict themselves
 [[nodiscard]] std::vector<HostileFile> hostileFoundByFuzzing();  ///< finds of tests/fuzz, of every format
 
-[[nodiscard]] std::vector<HostileFile> hostileFiles();
+/// The first call takes seconds.
+[[nodiscard]] const std::vector<HostileFile>& hostileFiles();
 /// Every sixteenth of these rows, in the order of the table, so that most topics have some; every 64th under the
 /// address sanitizer, where test_hostile reads them all.
 [[nodiscard]] std::vector<HostileFile> sampleOf(const std::vector<HostileFile>& rows);

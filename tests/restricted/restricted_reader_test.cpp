@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(All, SharedFolders, testing::Values("volumes", "dicom",
 /// What a reader process says of every step-th hostile file is, word by word, what reading here says. (A link out of
 /// the folder is read by this process only. test_hostile_cli runs all rows through the command line.)
 void expectSameOfHostileFiles(std::size_t step) {
-    const std::vector<HostileFile> rows = hostileFiles();
+    const std::vector<HostileFile>& rows = hostileFiles();
     for (std::size_t index = 0; index < rows.size(); index += step) {
         const HostileFile& row = rows[index];
         if (row.name.find("link") != std::string::npos) continue;
