@@ -20,19 +20,6 @@ std::int64_t bytesOfVoxel(const Volume& volume) {
 
 }  // namespace
 
-std::int64_t bytesOnCard(const CardPicture& picture) {
-    const Volume& filled = picture.scan->filled;
-    const std::int64_t voxels = filled.geometry().voxelCount();
-    const std::int64_t pixels = std::int64_t{picture.settings.width} * picture.settings.height;
-    std::int64_t bytes = voxels * bytesOfVoxel(filled) + pixels * bytesOfPixel;
-    if (picture.presence) bytes += voxels;
-    if (picture.gradients) bytes += voxels;
-    if (picture.surface) bytes += static_cast<std::int64_t>(picture.surface->depthMm.size() * sizeof(float));
-    if (picture.light) bytes += static_cast<std::int64_t>(picture.light->reaching.size());
-    if (picture.bricks) bytes += static_cast<std::int64_t>(picture.bricks->distances.size());
-    return bytes;
-}
-
 std::int64_t bytesOnCard(const Volume& volume, int width, int height) {
     const std::int64_t voxels = volume.geometry().voxelCount(), pixels = std::int64_t{width} * height;
     // A light volume has at most two bytes for each voxel. Only a pass over floats would tell whether all are finite.

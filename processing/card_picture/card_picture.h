@@ -50,9 +50,8 @@ struct CardPicture {
     double lightMilliseconds = 0.0;               ///< of it for the light volume
 };
 
-/// Bytes on a card of all that a picture is drawn from, the picture itself and the one before included.
-[[nodiscard]] std::int64_t bytesOnCard(const CardPicture& picture);
-/// The same before anything is made, for a lit picture of a curve.
+/// Bytes on a card of what a lit picture of a curve is drawn from, the picture itself and the one before included. Told
+/// before anything is made: bricks, tables and surfaces, which are small, are left out.
 [[nodiscard]] std::int64_t bytesOnCard(const Volume& volume, int width, int height);
 
 /// A small picture whose pixels are known. A card that draws it wrongly is not used.

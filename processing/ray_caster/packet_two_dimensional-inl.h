@@ -53,7 +53,7 @@ HWY_INLINE FloatVector twoDimensionalOpacity(const KernelJob<Voxel>& job, const 
         betweenNodes(hn::Mul(gradient, set(perGradient * static_cast<float>(nodes.gradients - 1))), nodes.gradients);
     const auto index = hn::Add(hn::Mul(g.before, set(static_cast<std::int32_t>(nodes.intensities))), f.before);
     const auto row = [&](const float* from) {
-        return between(hn::GatherIndex(floats, from, index), hn::GatherIndex(floats, from + 1, index), f.share);
+        return between(loadEntries(from, index), loadEntries(from + 1, index), f.share);
     };
     const auto opacity =
         hn::IfThenElseZero(active, between(row(nodes.opacities), row(nodes.opacities + nodes.intensities), g.share));

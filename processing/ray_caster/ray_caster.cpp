@@ -241,7 +241,9 @@ private:
         m_castShare = 1.0;
         const bool sparse =
             direct && settings.pixelTolerance > 0.0 && !settings.findDepth && job.kept == nullptr && close;
-        return sparse ? castSparsely(job, settings.pixelTolerance, progress, m_castShare) : castTiles(job, progress);
+        // The picture's colours are multiplied later, and so are their errors.
+        const double tolerance = settings.pixelTolerance / std::max(1.0, settings.brightness);
+        return sparse ? castSparsely(job, tolerance, progress, m_castShare) : castTiles(job, progress);
     }
 
     PackedPresence m_presence;

@@ -162,6 +162,22 @@ private slots:
         QCOMPARE(shownWith(0.33), highQuality);
     }
 
+    void theShareOfALargePictureSaysLittleOfASmallOne() {
+        RayCastSettings asked;
+        asked.width = 1600;
+        asked.height = 1000;
+        PreviewQuality quality(33);
+        const RayCastSettings large = settingsAt(highQuality, asked);
+        // With all its rays cast, high quality would take nine frames.
+        const double costPerSample = 300.0 / costOf(large, 1.0);
+        quality.sampled(large, 0.3 * 300.0, 0.3);
+        const RayCastSettings chosen = settingsAt(quality.qualityInMotion(asked), asked);
+        QVERIFY(chosen.width < large.width);
+        // Fewer pixels than those that were cast may all have to be cast.
+        QVERIFY(chosen.width * chosen.height < 0.3 * large.width * large.height);
+        QVERIFY(costOf(chosen, costPerSample) <= 33.0);
+    }
+
     void withinASeriesOfEditsTheQualityStays() {
         const RayCastSettings asked;
         PreviewQuality quality(30);

@@ -52,10 +52,20 @@ struct CardScene {
         drawn.scene.setVolume(volume);
         settings.width = settings.height = pixelsOfScene;
         settings.camera = cameraOn(*volume, {});
+        showSoftware();
+    }
+    void showSoftware() {
         drawn.scene.show(
             std::make_shared<const ScreenPicture>(plainPicture(pixelsOfScene, pixelsOfScene, {200, 0, 0, 255})),
             settings.camera);
         drawn.draw();
+    }
+    /// Begins a picture that needs several drawings.
+    void drawSlowly() {
+        drawn.scene.setCardPatience(0.0);
+        settings.step = 0.01;
+        settings.width = settings.height = 5 * pixelsOfScene;
+        drawByCard();
     }
     void drawByCard() {
         drawn.scene.show(
@@ -226,6 +236,35 @@ private slots:
         QVERIFY(scene.isByCard());
         scene.drawByCard();
         QVERIFY2(scene.isByCard() && !scene.showsSoftware(), scene.drawn.scene.whySoftware().c_str());
+        // The card's own picture stays too, if the card is there.
+        const Level before = scene.drawn.at(11, 9);
+        QVERIFY(before != (Level{0, 0, 0}));
+        card.error = error;
+        scene.settings.step = 0.5;
+        scene.drawByCard();
+        QVERIFY(!scene.isByCard());
+        QCOMPARE(scene.drawn.at(11, 9), error == CardError::contextLost ? (Level{0, 0, 0}) : before);
+    }
+
+    void whatACardHasNotFinishedEndsWithTheSoftwaresPicture() {
+        FeignedCard card;
+        CardScene scene(card);
+        scene.drawSlowly();
+        QVERIFY(scene.drawn.scene.cardGoesOn());
+        scene.showSoftware();
+        QVERIFY(!scene.drawn.scene.cardGoesOn());
+        QVERIFY(scene.showsSoftware());
+    }
+
+    void nobodySeesTheKnownPicture() {
+        FeignedCard card;
+        CardScene scene(card);
+        scene.drawByCard();
+        scene.drawSlowly();
+        scene.drawn.scene.forgetCard();
+        scene.drawn.draw();
+        QVERIFY(scene.drawn.scene.cardGoesOn());
+        QCOMPARE(scene.drawn.at(pixelsOfScene / 2, pixelsOfScene / 2), (Level{0, 0, 0}));
     }
 
     void aDriverThatDoesNotUnderstandTheShaderIsNoTrouble() {

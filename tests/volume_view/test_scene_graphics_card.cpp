@@ -377,6 +377,7 @@ private slots:
         QCOMPARE(picker->GetViewProp(), static_cast<vtkProp*>(drawn.scene.volumeProp()));
         drawn.draw();
         const double byCard = drawn.windowDepthAt(middle, middle);
+        QVERIFY(!scan.expired());
         // Each renderer's picture comes back.
         drawn.scene.show(std::make_shared<const ScreenPicture>(screenPicture(*ours)), settings.camera);
         drawn.draw();
@@ -387,9 +388,8 @@ private slots:
             settings.camera);
         drawn.draw();
         QCOMPARE(drawn.at(50, 50), (Level{0, 90, 0}));
-        QVERIFY(!scan.expired());
-        drawn.scene.setVolume(nullptr);
         QVERIFY(scan.expired());  // what is on the card keeps nothing in memory
+        drawn.scene.setVolume(nullptr);
         drawn.draw();
         QCOMPARE(drawn.at(50, 50), (Level{0, 0, 0}));
     }

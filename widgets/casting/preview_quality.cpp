@@ -12,9 +12,8 @@ constexpr double smallestLitEdit = 0.5;     // of a picture's budget for the ray
 constexpr double reclassifyShare = 0.25;    // of the cost of sampling, until it is measured
 constexpr double shadedRatio = 4.0;         // of the cost of sampling, until it is measured
 
-double samplesOf(const RayCastSettings& settings) {
-    return static_cast<double>(settings.width) * settings.height / settings.step;
-}
+double pixelsOf(const RayCastSettings& settings) { return static_cast<double>(settings.width) * settings.height; }
+double samplesOf(const RayCastSettings& settings) { return pixelsOf(settings) / settings.step; }
 
 /// Whether a picture needs a light volume.
 bool isLit(const RayCastSettings& settings) { return settings.shading && settings.shading->asksWhatReaches(); }
@@ -43,7 +42,10 @@ std::size_t qualityWithin(double budget, std::size_t quality, const Reluctance& 
 
 void PreviewQuality::sampled(const RayCastSettings& settings, double milliseconds, double castShare) {
     learn(costOf(settings).sampling, milliseconds / (samplesOf(settings) * castShare));
-    if (settings.pixelTolerance > 0.0) m_castShare = castShare;
+    if (settings.pixelTolerance > 0.0) {
+        m_castShare = castShare;
+        m_castSharePixels = pixelsOf(settings);
+    }
 }
 
 void PreviewQuality::reclassified(const RayCastSettings& settings, double milliseconds) {
@@ -97,10 +99,15 @@ double PreviewQuality::samplingCost(const RayCastSettings& settings) const {
     return m_unshaded.sampling > 0.0 ? m_unshaded.sampling : m_shaded.sampling / shadedRatio;
 }
 
+double PreviewQuality::castShareOf(const RayCastSettings& settings) const {
+    if (settings.pixelTolerance <= 0.0) return 1.0;
+    // Of more pixels than were measured the share is smaller. Of fewer, as many must be cast.
+    return std::min(1.0, m_castShare * std::max(1.0, m_castSharePixels / pixelsOf(settings)));
+}
+
 double PreviewQuality::samplingTime(std::size_t quality, const RayCastSettings& asked) const {
     const RayCastSettings settings = settingsAt(quality, asked);
-    // The more pixels, the smaller is the share: for more pixels than were measured, this is too much at most.
-    return samplingCost(asked) * samplesOf(settings) * (settings.pixelTolerance > 0.0 ? m_castShare : 1.0);
+    return samplingCost(asked) * samplesOf(settings) * castShareOf(settings);
 }
 
 double PreviewQuality::editCost(std::size_t quality, const RayCastSettings& asked) {

@@ -61,6 +61,8 @@ private:
     [[nodiscard]] Cost& costOf(const RayCastSettings& settings) { return settings.shading ? m_shaded : m_unshaded; }
     /// Measured, or guessed from the other kind; 0 if neither was measured.
     [[nodiscard]] double samplingCost(const RayCastSettings& settings) const;
+    /// The share of the pixels through which rays are cast; too much rather than too little.
+    [[nodiscard]] double castShareOf(const RayCastSettings& settings) const;
     /// The time for the rays of a picture whose samples are taken.
     [[nodiscard]] double samplingTime(std::size_t quality, const RayCastSettings& asked) const;
     /// The time for the rays of a picture, without its light volume.
@@ -71,7 +73,7 @@ private:
     Cost m_unshaded, m_shaded;
     double m_drawing = 0.0, m_light = 0.0;  // ms
     int m_drawn = 0;
-    double m_castShare = 1.0;  ///< of the newest picture that may have interpolated pixels
+    double m_castShare = 1.0, m_castSharePixels = 1.0;  // of the newest picture that may have interpolated pixels
     double m_samplesNotKept = std::numeric_limits<double>::infinity();  // the fewest that could not be kept
     std::size_t m_motionQuality = firstQuality;
     std::size_t m_editQuality = firstQuality;

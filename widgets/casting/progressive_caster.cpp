@@ -59,7 +59,7 @@ bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
 
 void ProgressiveCaster::request(const PictureRequest& request, bool byCard) {
     if (m_newest && m_byCard == byCard && samePicture(*m_newest, request)) return;
-    if (m_byCard != byCard) clear();  // so that not both keep what they make of a volume
+    if (m_byCard != byCard) forgetNewest();
     m_byCard = byCard;
     if (!byCard && deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
@@ -94,23 +94,28 @@ std::size_t ProgressiveCaster::qualityFor(const PictureRequest& request, bool ed
     return m_inStream ? m_quality.qualityInMotion(request.settings) : m_quality.qualityAlone(request.settings);
 }
 
-void ProgressiveCaster::clear() {
+bool ProgressiveCaster::forgetNewest() {
     if (!m_playing) m_frames->clear();
-    if (!m_newest) return;
+    if (!m_newest) return false;
     m_newest.reset();
     m_rest.stop();
     m_sinceRequest.invalidate();
     // In a motion another phase comes next. The frame that is being cast must be kept, so its ray caster is freed only
     // by the next frame.
-    if (!m_playing) {
-        m_thread.cancel();
+    if (!m_playing) m_thread.cancel();
+    return true;
+}
+
+void ProgressiveCaster::clear() {
+    if (!forgetNewest()) return;
+    if (!m_playing)
         m_thread.submit(
-            [cast = m_byCard ? m_cardCast : m_cast](const Progress& progress) -> NewestWinsThread::Deliver {
+            [cast = m_cast, cardCast = m_cardCast](const Progress& progress) -> NewestWinsThread::Deliver {
                 cast({}, progress);
+                cardCast({}, progress);
                 return {};
             },
             NewestWinsThread::WhenSuperseded::finish);
-    }
     m_waits.end();
 }
 
@@ -129,7 +134,7 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
     m_startedQuality = quality;
     const bool followsHand = whenSuperseded == NewestWinsThread::WhenSuperseded::finish;
     m_startedQuick = followsHand;
-    const Cast cast = m_byCard ? m_cardCast : m_cast;
+    const Cast cast = m_byCard ? m_cardCast : m_cast, other = m_byCard ? m_cast : m_cardCast;
     auto make = [=, this, byCard = m_byCard, asked = m_newest](const Progress& progress) -> NewestWinsThread::Deliver {
         const auto begin = std::chrono::steady_clock::now();
         const PictureRequest atQuality{asked->panes, settingsAt(quality, asked->settings)};
@@ -143,7 +148,9 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
             deliver(finished);
         };
     };
-    auto job = [this, cast, make](const Progress& progress) -> NewestWinsThread::Deliver {
+    auto job = [=, this, byCard = m_byCard, last = m_last](const Progress& progress) -> NewestWinsThread::Deliver {
+        // Not both keep what they make of a volume.
+        if (last->exchange(byCard) != byCard) other({}, progress);
         try {
             return make(progress);
         } catch (const std::bad_alloc&) {

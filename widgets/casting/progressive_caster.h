@@ -5,6 +5,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <atomic>
 #include <memory>
 #include <optional>
 
@@ -76,6 +77,7 @@ private:
     [[nodiscard]] std::size_t qualityFor(const PictureRequest& request, bool edited);
     void refine();
     void waitForRest(int milliseconds);
+    bool forgetNewest();
     bool deliverKept(const PictureRequest& request);
     void start(std::size_t quality, NewestWinsThread::WhenSuperseded whenSuperseded);
     void fail();
@@ -84,6 +86,8 @@ private:
 
     Cast m_cast, m_cardCast;
     bool m_byCard = false;  // whether a card draws the newest request
+    // Whether the newest job was for a card. For jobs alone, which run one after the other.
+    std::shared_ptr<std::atomic<bool>> m_last = std::make_shared<std::atomic<bool>>(false);
     PreviewQuality m_quality;
     std::optional<PreviewQuality> m_cardQuality;  // of a card that has drawn
     std::shared_ptr<const PictureRequest> m_newest;

@@ -34,12 +34,13 @@ struct VolumeViewWidget::Parts {
     Pose poseBeforeDrag;
     LightDirection lightBeforeDrag;
     std::shared_ptr<const CastPicture> shown;
-    std::optional<QPointF> cursor;  ///< over the picture, logical pixels; no value elsewhere
-    bool scheduled = false;         ///< whether a request is on its way
-    Works::UnderWay asks;           ///< until the request is made
-    Works::UnderWay cardDraws;      ///< while the card is not done with the newest picture
-    bool dimmed = false;            ///< whether the picture on the screen is dimmed
-    bool toRedraw = false;          ///< whether the overlay or caption has changed since it was drawn
+    std::optional<QPointF> cursor;         ///< over the picture, logical pixels; no value elsewhere
+    bool scheduled = false;                ///< whether a request is on its way
+    Works::UnderWay asks;                  ///< until the request is made
+    Works::UnderWay cardDraws;             ///< while the card is not done with the newest picture
+    const CastPicture* drawsOn = nullptr;  ///< the picture with which a timer lets the card go on; else null
+    bool dimmed = false;                   ///< whether the picture on the screen is dimmed
+    bool toRedraw = false;                 ///< whether the overlay or caption has changed since it was drawn
 
     VolumeScene scene;
     vtkNew<vtkGenericOpenGLRenderWindow> renderWindow;

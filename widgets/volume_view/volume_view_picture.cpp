@@ -210,8 +210,10 @@ void VolumeViewWidget::reportOnceDrawn() {
         return;
     }
     parts.cardDraws.begin();
+    if (std::exchange(parts.drawsOn, parts.shown.get()) == parts.shown.get()) return;
     // A timer lets the hand's events through first. A newer picture does this anew.
     QTimer::singleShot(0, this, [this, picture = parts.shown] {
+        if (m_parts->drawsOn == picture.get()) m_parts->drawsOn = nullptr;
         if (picture != m_parts->shown) return;
         if (m_parts->scene.cardGoesOn()) render(false);
         reportOnceDrawn();
@@ -231,7 +233,10 @@ void VolumeViewWidget::redrawSoon() {
 }
 
 void VolumeViewWidget::redrawWithoutPicture() {
-    if (std::exchange(m_parts->toRedraw, false) && m_parts->shown) render(false);
+    if (!std::exchange(m_parts->toRedraw, false) || !m_parts->shown) return;
+    render(false);
+    // Another card begins the picture anew.
+    if (m_parts->scene.cardGoesOn()) reportOnceDrawn();
 }
 
 void VolumeViewWidget::render(bool followsHand) {

@@ -157,16 +157,16 @@ TEST(CardPictures, TheKnownPictureTellsAWrongOneFromARightOne) {
     EXPECT_EQ(levelsBetween(known, Picture{}), std::numeric_limits<double>::infinity());
 }
 
-TEST(CardPictures, BytesOnTheCardCountEverything) {
+TEST(CardPictures, BytesOnTheCardAreToldBeforeAnythingIsMade) {
     const auto volume = ramp();
-    RayCastSettings settings = litSettings(*volume);
-    const auto lit = CardPictures(volume).make(PowerCurve{2, 1.0}, settings);
-    settings.cutSurface = domeIn(*volume, settings.camera.frame);
-    const auto bowed = CardPictures(volume).make(PowerCurve{2, 1.0}, settings);
-    EXPECT_EQ(bytesOnCard(*bowed) - bytesOnCard(*lit), 15 * 15 * 4);
-    EXPECT_GE(bytesOnCard(*volume, 30, 20), bytesOnCard(*lit) - 200) << "told before, it is no less, but for bricks";
-    EXPECT_GT(bytesOnCard(*lit),
-              volume->geometry().voxelCount() + static_cast<std::int64_t>(lit->light->reaching.size()));
+    const std::int64_t voxels = volume->geometry().voxelCount();
+    const auto lit = CardPictures(volume).make(PowerCurve{2, 1.0}, litSettings(*volume));
+    EXPECT_EQ(bytesOnCard(*volume, 0, 0), 3 * voxels) << "voxels and light";
+    EXPECT_LE(lit->light->reaching.size(), static_cast<std::size_t>(2 * voxels));
+    const Volume masked =
+        volume->withDataMask(std::vector<std::uint8_t>(static_cast<std::size_t>(voxels), std::uint8_t{1}));
+    EXPECT_EQ(bytesOnCard(masked, 0, 0), (masked.dataMask().empty() ? 3 : 4) * voxels) << "and presence";
+    EXPECT_EQ(bytesOnCard(*volume, 60, 20) - bytesOnCard(*volume, 30, 20), 600 * 40) << "two pictures with depths";
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "processing/volume/geometry.h"
 
@@ -112,7 +113,8 @@ RayCastMapper::RayCastMapper() : m_card(std::make_unique<CardRenderer>()), m_ope
 RayCastMapper::~RayCastMapper() = default;
 
 void RayCastMapper::setPicture(std::shared_ptr<const ScreenPicture> picture) {
-    m_cardPicture = nullptr;
+    // What the card has not finished is not wanted any more, and the scan that it has drawn may go.
+    if (std::exchange(m_cardPicture, nullptr)) m_card->forgetPictures();
     if (picture == m_picture) return;
     m_picture = std::move(picture);
     m_uploaded = false;
@@ -145,7 +147,7 @@ bool RayCastMapper::prepareShown(vtkOpenGLRenderWindow* window, Shown& shown) {
     const Drawing drawing =
         m_cardPicture ? m_card->draw(*window, m_cardPicture, m_known, m_patienceMilliseconds) : Drawing::failed;
     if (drawing == Drawing::done) m_picture = nullptr;
-    if (drawing != Drawing::failed && !m_picture && m_card->drawn()) {
+    if (!m_picture && m_card->drawn()) {
         const RayCastSettings& settings = m_card->drawn()->settings;
         shown = {&m_card->colours(), settings.findDepth ? &m_card->depths() : nullptr, settings.width, settings.height};
         return true;

@@ -34,7 +34,8 @@ public:
 
         /// Sets the picture that is drawn from now on. Null draws nothing.
         void setPicture(std::shared_ptr<const ScreenPicture> picture);
-    /// Lets the card draw from now on. The picture before stays until the card is done, and if it fails.
+    /// Lets the card draw from now on. The picture before stays until the card is done, and if the card fails, unless
+    /// the card is lost.
     void setCardPicture(std::shared_ptr<const CardPicture> picture, std::shared_ptr<const KnownCardPicture> known);
     /// How long the card may draw in one drawing of the window; at first without end.
     void setCardPatience(double milliseconds) { m_patienceMilliseconds = milliseconds; }

@@ -51,7 +51,7 @@ public:
     /// Shows a finished picture with the camera it was made for.
     void show(std::shared_ptr<const ScreenPicture> picture, const Camera& camera);
     /// Lets the graphics card draw a picture with the next drawing of the window. If the card fails, the picture before
-    /// stays, and rendererInUse() says software. Neither may be null.
+    /// stays, unless the card is lost, and rendererInUse() says software. Neither may be null.
     void show(std::shared_ptr<const CardPicture> picture, std::shared_ptr<const KnownCardPicture> known);
     [[nodiscard]] Camera camera();
     void setAnnotationsVisible(bool visible);

@@ -33,7 +33,6 @@ double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-constexpr const char* lostSentence = "The graphics card was lost while it drew, so the software draws.";
 constexpr float nowhere = 1e30f;  // the shader writes more where a pixel has no depth
 
 /// The most steps that a ray of a picture may have.
@@ -84,6 +83,7 @@ void CardRenderer::setReading(CardReading reading) {
 void CardRenderer::meet(vtkOpenGLRenderWindow& window) {
     if (m_met && m_window == &window) return;
     const std::string before = m_card.renderer;
+    if (m_window == &window) m_openGl->textures.release(&window);  // else free memory lacks what they take
     m_card = m_answers.describe(window);
     m_met = true;
     m_window = &window;
@@ -107,18 +107,23 @@ void CardRenderer::forgetPictures() {
 
 bool CardRenderer::fail(std::string sentence) {
     m_failure = std::move(sentence);
-    m_drawn = nullptr;
     m_begun = {};
     return false;
+}
+
+void CardRenderer::lose() {
+    fail("The graphics card was lost while it drew, so the software draws.");
+    m_drawn = nullptr;
 }
 
 bool CardRenderer::failed(vtkOpenGLRenderWindow& window) {
     switch (m_answers.error(window)) {
         case CardError::none: return false;
         case CardError::outOfMemory:
+            m_openGl->textures.release(&window);
             fail("The graphics card has too little memory for the picture, so the software draws it.");
             break;
-        case CardError::contextLost: fail(lostSentence); break;
+        case CardError::contextLost: lose(); break;
     }
     return true;
 }
@@ -139,7 +144,7 @@ CardRenderer::Drawing CardRenderer::draw(vtkOpenGLRenderWindow& window,
                            : Time::max();
     // Other errors are of whoever drew before.
     const bool lost = m_answers.error(window) == CardError::contextLost;
-    if (lost) fail(lostSentence);
+    if (lost) lose();
     if (lost || (!m_checked && !check(window, known))) return Drawing::failed;
     if (m_begun.picture != picture && !begin(window, picture)) return Drawing::failed;
     return goOn(window, until);
@@ -151,6 +156,7 @@ bool CardRenderer::check(vtkOpenGLRenderWindow& window, const std::shared_ptr<co
     const double levels = levelsBetween(m_answers.drewKnownPicture(read()), known->expected);
     m_checked = levels <= KnownCardPicture::tolerance;
     m_isWrong = !m_checked;
+    m_drawn = nullptr;  // nobody is to see the known picture
     if (m_checked) return true;
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", std::min(levels, 255.0));

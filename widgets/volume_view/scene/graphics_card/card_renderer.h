@@ -90,7 +90,10 @@ private:
     bool prepareProgram(vtkOpenGLRenderWindow& window, const RayCastSettings& settings);
     bool drawBands(vtkOpenGLRenderWindow& window, const RayCastSettings& settings, double weight, Time until);
     bool failed(vtkOpenGLRenderWindow& window);
+    /// The picture before stays.
     bool fail(std::string sentence);
+    /// Nothing stays.
+    void lose();
 
     CardAnswers m_answers;
     CardReading m_reading = CardReading::filter;

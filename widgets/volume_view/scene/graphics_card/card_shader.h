@@ -10,7 +10,7 @@ namespace echolucent {
 /// How a card reads between voxels.
 enum class CardReading {
     filter,        ///< by its own linear filter, which knows 8 bits between two voxels
-    eightFetches,  ///< eight voxels and their mean in single precision; about three times the reads
+    eightFetches,  ///< eight voxels and their mean in single precision; eight reads for one
 };
 
 /// The shader's source for a picture, with the parts that this picture needs. Pictures of one source differ in uniforms

@@ -78,8 +78,8 @@ bool CardTextures::keep(vtkOpenGLRenderWindow& window, const std::shared_ptr<con
     return renew(window, m_volumes.emplace_front(), from, uploading);
 }
 
-void CardTextures::dropOldest(vtkOpenGLRenderWindow& window, std::size_t inUse) {
-    std::int64_t bytes = 0;
+void CardTextures::dropOldest(vtkOpenGLRenderWindow& window, std::size_t inUse, std::int64_t coming) {
+    std::int64_t bytes = coming;
     std::size_t count = 0;
     for (auto at = m_volumes.begin(); at != m_volumes.end();) {
         if (count++ >= inUse) bytes += at->bytes;
@@ -104,6 +104,7 @@ bool CardTextures::bring(vtkOpenGLRenderWindow& window, const CardPicture& pictu
         },
         filled.voxels());
     const bool isNew = find(picture.scan) == nullptr;
+    if (isNew) dropOldest(window, 0, bytesOf(voxels.size, voxels.components, voxels.type));
     bool brought = keep(window, picture.scan, voxels);
     if (isNew && brought) ++m_volumesBrought;
     if (brought && picture.presence) {

@@ -46,7 +46,8 @@ private:
     bool keep(vtkOpenGLRenderWindow& window, const std::shared_ptr<const void>& from, const Uploading& uploading);
     bool renew(vtkOpenGLRenderWindow& window, Texture& texture, const std::shared_ptr<const void>& from,
                const Uploading& uploading);
-    void dropOldest(vtkOpenGLRenderWindow& window, std::size_t inUse);
+    /// Leaves room for `coming` bytes more.
+    void dropOldest(vtkOpenGLRenderWindow& window, std::size_t inUse, std::int64_t coming = 0);
     void bindOne(vtkShaderProgram& program, const char* name, Texture& texture);
 
     std::list<Texture> m_volumes;  ///< the newest first
