@@ -4,7 +4,8 @@
 
 # Headers of others that most files of a target read are parsed once, if files are compiled one by one, or by clang, to which they
 # are a fifth of a room's time. To g++ they are a twentieth, with Qt a sixth, with GoogleTest a fifth, and it parses them before
-# anything else: MANY_ROOMS says that a target has so many that g++ gains too. Each file still includes what it uses: scripts/check compiles each alone.
+# anything else: MANY_ROOMS says that a target has so many that g++ gains too. Each file still includes what it uses:
+# scripts/check compiles each alone.
 function(echolucent_precompile name)
     cmake_parse_arguments(ARG "MANY_ROOMS" "" "" ${ARGN})
     set(headers ${ARG_UNPARSED_ARGUMENTS})

@@ -70,7 +70,7 @@ struct Position {
 constexpr std::int32_t oneCube = 1 << 16;
 
 /// A vector of numbers that lie apart in memory, `offset` times 2^shift bytes after `base` for each lane: one load
-/// after the other. Gathers are no quicker where they are quick, and slow where the processor's microcode has it so
+/// after the other. Gathers are at most as quick, and some processors' microcode makes them several times as slow
 /// (docs/experiments.md).
 template <typename Number, int count, int shift>
 HWY_INLINE hn::Vec<hn::CappedTag<Number, count> > loadApart(const void* base, const std::int32_t* offsets) {

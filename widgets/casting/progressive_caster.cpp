@@ -59,7 +59,7 @@ bool ProgressiveCaster::deliverKept(const PictureRequest& request) {
 
 void ProgressiveCaster::request(const PictureRequest& request, bool byCard) {
     if (m_newest && m_byCard == byCard && samePicture(*m_newest, request)) return;
-    if (m_byCard != byCard) forgetNewest();
+    if (m_byCard != byCard && forgetNewest()) m_waits.end();
     m_byCard = byCard;
     if (!byCard && deliverKept(request)) return;
     if (!m_playing) m_frames->clear();
@@ -148,7 +148,8 @@ void ProgressiveCaster::start(std::size_t quality, NewestWinsThread::WhenSuperse
             deliver(finished);
         };
     };
-    auto job = [=, this, byCard = m_byCard, last = m_last](const Progress& progress) -> NewestWinsThread::Deliver {
+    auto job = [=, this, byCard = m_byCard,
+                last = m_lastByCard](const Progress& progress) -> NewestWinsThread::Deliver {
         // Not both keep what they make of a volume.
         if (last->exchange(byCard) != byCard) other({}, progress);
         try {

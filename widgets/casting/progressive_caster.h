@@ -87,7 +87,7 @@ private:
     Cast m_cast, m_cardCast;
     bool m_byCard = false;  // whether a card draws the newest request
     // Whether the newest job was for a card. For jobs alone, which run one after the other.
-    std::shared_ptr<std::atomic<bool>> m_last = std::make_shared<std::atomic<bool>>(false);
+    std::shared_ptr<std::atomic<bool>> m_lastByCard = std::make_shared<std::atomic<bool>>(false);
     PreviewQuality m_quality;
     std::optional<PreviewQuality> m_cardQuality;  // of a card that has drawn
     std::shared_ptr<const PictureRequest> m_newest;
