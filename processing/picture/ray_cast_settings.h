@@ -53,9 +53,10 @@ struct RayCastSettings {
     std::vector<ClippingPlane> clippingPlanes;
     std::optional<CutSurface> cutSurface;  ///< nothing is shown before it; fixed to the volume, not to the camera
     double terminationTransmittance = 1.0 / 512;  ///< a ray ends below this; the error is at most this share of white
-    /// Levels of 255, >= 0. Above 0, rays go through every second column and row first, in direct mode without depths,
-    /// if such rays lie a unit apart at most and no samples are kept. Pixels between them are interpolated if that
-    /// seems to err by at most this (fillBetweenRays()). 0 casts every pixel.
+    /// Levels of 255, >= 0. Above 0, rays go through every fourth or second column and row first, in direct mode
+    /// without depths, if such rays lie a unit apart at most and no samples are kept. Pixels half-way between rays are
+    /// interpolated if that seems to err by at most this (fillBetweenRays()), and then those half-way between them. 0
+    /// casts every pixel.
     double pixelTolerance = 0.0;
     bool skipEmptySpace = true;  ///< skips regions that the curve makes transparent: the same picture, sooner
     bool findDepth = false;      ///< whether to fill Picture::depthMm

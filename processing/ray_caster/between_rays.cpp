@@ -27,7 +27,8 @@ bool fillMiddle(const float* a, const float* b, const float* c, const float* d, 
 
 }  // namespace
 
-PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, double tolerance) {
+PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, int apart, double tolerance) {
+    const std::ptrdiff_t half = apart / 2;
     const std::ptrdiff_t width = picture.width, height = picture.height;
     const auto most = static_cast<float>(8.0 * tolerance / 255.0);
     PixelsLeft left{std::vector<std::uint8_t>(static_cast<std::size_t>(width * height)), 0};
@@ -35,7 +36,7 @@ PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, d
     const auto pixel = [&](std::ptrdiff_t column, std::ptrdiff_t row) {
         return picture.rgba.data() + (row * width + column) * channels;
     };
-    const auto forRows = [&](std::ptrdiff_t first, std::ptrdiff_t apart, const auto& visit) {
+    const auto forRows = [&](std::ptrdiff_t first, const auto& visit) {
         const std::ptrdiff_t rows = std::max<std::ptrdiff_t>(0, (box.lastRow - first + apart - 1) / apart);
         parallelFor(LoopRange<std::ptrdiff_t>(0, rows, 16), [&](const auto& range) {
             std::size_t here = 0;
@@ -43,32 +44,30 @@ PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, d
             count += here;
         });
     };
-    const std::ptrdiff_t firstColumn = box.firstColumn / raysApart * raysApart,
-                         firstRow = box.firstRow / raysApart * raysApart;
+    const std::ptrdiff_t firstColumn = box.firstColumn / apart * apart, firstRow = box.firstRow / apart * apart;
     const auto choose = [&](std::ptrdiff_t column, std::ptrdiff_t row, bool filled) {
         left.chosen[static_cast<std::size_t>(row * width + column)] = filled ? 0 : 1;
         return std::size_t{filled ? 0U : 1U};
     };
-    // Even rows hold rays in even columns, odd rows hold none yet.
-    forRows(firstRow, raysApart, [&](std::ptrdiff_t row) {
+    // Rows of rays come first, then those between them, which hold none yet.
+    forRows(firstRow, [&](std::ptrdiff_t row) {
         std::size_t chosen = 0;
-        for (std::ptrdiff_t column = firstColumn + 1; column < box.lastColumn; column += raysApart) {
-            const std::ptrdiff_t before = column - 1, behind = column + 1;
-            const bool filled =
-                behind < width &&
-                fillMiddle(pixel(std::max<std::ptrdiff_t>(before - raysApart, 0), row), pixel(before, row),
-                           pixel(behind, row), pixel(behind + raysApart < width ? behind + raysApart : behind, row),
-                           most, pixel(column, row));
+        for (std::ptrdiff_t column = firstColumn + half; column < box.lastColumn; column += apart) {
+            const std::ptrdiff_t before = column - half, behind = column + half;
+            const std::ptrdiff_t first = std::max<std::ptrdiff_t>(before - apart, 0),
+                                 last = behind + apart < width ? behind + apart : behind;
+            const bool filled = behind < width && fillMiddle(pixel(first, row), pixel(before, row), pixel(behind, row),
+                                                             pixel(last, row), most, pixel(column, row));
             chosen += choose(column, row, filled);
         }
         return chosen;
     });
-    forRows(firstRow + 1, raysApart, [&](std::ptrdiff_t row) {
+    forRows(firstRow + half, [&](std::ptrdiff_t row) {
         std::size_t chosen = 0;
-        const std::ptrdiff_t before = row - 1, behind = row + 1;
-        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(before - raysApart, 0),
-                             last = behind + raysApart < height ? behind + raysApart : behind;
-        for (std::ptrdiff_t column = firstColumn; column < box.lastColumn; column += raysApart) {
+        const std::ptrdiff_t before = row - half, behind = row + half;
+        const std::ptrdiff_t first = std::max<std::ptrdiff_t>(before - apart, 0),
+                             last = behind + apart < height ? behind + apart : behind;
+        for (std::ptrdiff_t column = firstColumn; column < box.lastColumn; column += apart) {
             const bool filled =
                 behind < height && fillMiddle(pixel(column, first), pixel(column, before), pixel(column, behind),
                                               pixel(column, last), most, pixel(column, row));
@@ -79,15 +78,16 @@ PixelsLeft fillBetweenRays(Picture& picture, const RayGeometry::PixelBox& box, d
     const auto isLeft = [&](std::ptrdiff_t column, std::ptrdiff_t row) {
         return column >= width || row >= height || left.chosen[static_cast<std::size_t>(row * width + column)] != 0;
     };
-    forRows(firstRow + 1, raysApart, [&](std::ptrdiff_t row) {
+    forRows(firstRow + half, [&](std::ptrdiff_t row) {
         std::size_t chosen = 0;
-        for (std::ptrdiff_t column = firstColumn + 1; column < box.lastColumn; column += raysApart) {
-            const bool filled = !isLeft(column, row - 1) && !isLeft(column - 1, row) && !isLeft(column, row + 1) &&
-                                !isLeft(column + 1, row);
+        for (std::ptrdiff_t column = firstColumn + half; column < box.lastColumn; column += apart) {
+            const bool filled = !isLeft(column, row - half) && !isLeft(column - half, row) &&
+                                !isLeft(column, row + half) && !isLeft(column + half, row);
             if (filled)
                 for (std::ptrdiff_t i = 0; i < channels; ++i)
-                    pixel(column, row)[i] = 0.25f * (pixel(column - 1, row - 1)[i] + pixel(column + 1, row - 1)[i] +
-                                                     pixel(column - 1, row + 1)[i] + pixel(column + 1, row + 1)[i]);
+                    pixel(column, row)[i] =
+                        0.25f * (pixel(column - half, row - half)[i] + pixel(column + half, row - half)[i] +
+                                 pixel(column - half, row + half)[i] + pixel(column + half, row + half)[i]);
             chosen += choose(column, row, filled);
         }
         return chosen;

@@ -31,7 +31,7 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const PacketShape shape = packetShape();
     const int acrossPacket = shape.columns * job.apart, downPacket = shape.rows * job.apart;
     const int left = box.firstColumn / acrossPacket * acrossPacket, top = box.firstRow / downPacket * downPacket;
-    const int edge = tileEdge * job.apart;
+    const int edge = tileEdge * std::min(job.apart, 2);
     const int columns = (std::max(0, box.lastColumn - left) + edge - 1) / edge;
     const int rows = (std::max(0, box.lastRow - top) + edge - 1) / edge;
     ProgressCount count(progress, static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
@@ -50,16 +50,22 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
 /// As castTiles(), but casts only pixels that cannot be interpolated between others (RayCastSettings::pixelTolerance).
 /// Sets the share of the visible pixels that were cast.
 template <typename Voxel>
-bool castSparsely(KernelJob<Voxel> job, double tolerance, const Progress& progress, double& share) {
-    job.apart = raysApart;
-    if (!castTiles(job, Progress{{}, progress.cancel})) return false;
+bool castSparsely(KernelJob<Voxel> job, int raysApart, double tolerance, const Progress& progress, double& share) {
     const RayGeometry::PixelBox box = job.rays->visiblePixels();
-    const PixelsLeft left = fillBetweenRays(*job.picture, box, tolerance);
     const double pixels = static_cast<double>(box.lastColumn - box.firstColumn) * (box.lastRow - box.firstRow);
-    share = pixels > 0.0 ? 1.0 / (raysApart * raysApart) + static_cast<double>(left.count) / pixels : 1.0;
+    const Progress untold{{}, progress.cancel};
+    job.apart = raysApart;
+    if (!castTiles(job, untold)) return false;
     job.apart = 1;
-    job.chosen = left.chosen.data();
-    return castTiles(job, progress);
+    double cast = pixels / (raysApart * raysApart);
+    for (int apart = raysApart; apart > 1; apart /= 2) {
+        const PixelsLeft left = fillBetweenRays(*job.picture, box, apart, tolerance);
+        cast += static_cast<double>(left.count);
+        job.chosen = left.chosen.data();
+        if (!castTiles(job, apart > 2 ? untold : progress)) return false;
+    }
+    share = pixels > 0.0 ? std::min(1.0, cast / pixels) : 1.0;
+    return true;
 }
 
 DepthTint depthTint(const DepthColouring& colouring, const VolumeGeometry& geometry, const RayCastSettings& settings) {
@@ -236,14 +242,13 @@ private:
                 m_empty.update(m_ranges, table);
             if (m_empty.any()) job.distances = m_empty.distances().data();
         }
-        // Between rays that are farther apart lie whole voxels that no ray has seen.
-        const bool close = raysApart * rays.widestPixelMm(volume->geometry()) <= volume->geometry().unit();
+        const int apart = raysApart(rays.widestPixelMm(volume->geometry()) / volume->geometry().unit());
         m_castShare = 1.0;
         const bool sparse =
-            direct && settings.pixelTolerance > 0.0 && !settings.findDepth && job.kept == nullptr && close;
+            direct && settings.pixelTolerance > 0.0 && !settings.findDepth && job.kept == nullptr && apart > 1;
         // The picture's colours are multiplied later, and so are their errors.
         const double tolerance = settings.pixelTolerance / std::max(1.0, settings.brightness);
-        return sparse ? castSparsely(job, tolerance, progress, m_castShare) : castTiles(job, progress);
+        return sparse ? castSparsely(job, apart, tolerance, progress, m_castShare) : castTiles(job, progress);
     }
 
     PackedPresence m_presence;
