@@ -9,8 +9,8 @@ namespace echolucent {
 
 namespace {
 
-// Colour and depth in single precision, of the picture shown and of the one that is drawn.
-constexpr std::int64_t bytesOfPixel = 2 * (4 * sizeof(float) + sizeof(float));
+// Colours in single precision, of the picture shown and of the one that is drawn.
+constexpr std::int64_t bytesOfPixel = 2 * 4 * sizeof(float);
 
 std::int64_t bytesOfVoxel(const Volume& volume) {
     return std::visit(

@@ -85,12 +85,17 @@ private slots:
         ShownView s;
         QVERIFY(s.ready);
         QVERIFY(s.view.picture()->depthMm.empty());
-        s.view.scene().setDepthWanted(true);
+        s.view.setRenderer(RendererChoice::graphicsCard);
+        QTRY_COMPARE_WITH_TIMEOUT(s.view.rendererName(), "graphics card", patience);
+        QVERIFY(s.awaitIdle());
+        s.view.scene().setDepthWanted(true);  // that a card does not find
+        QVERIFY2(s.view.rendererRemark().contains("depth"), qPrintable(s.view.rendererRemark()));
         s.view.setLimits(withFrontAcross(s.view.view(), 2));
         QVERIFY(s.awaitIdle());
         QVERIFY(s.view.pictureIsCurrent());
         const auto picture = s.view.picture();
         QCOMPARE(picture->depthMm.size(), picture->rgba.size() / 4);
+        QCOMPARE(s.view.rendererName(), "software renderer");
         int surface = 0;
         for (const float depth : picture->depthMm) surface += std::isfinite(depth) ? 1 : 0;
         QVERIFY(surface > 100 && surface < static_cast<int>(picture->depthMm.size()));

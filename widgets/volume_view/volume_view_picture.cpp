@@ -121,7 +121,7 @@ bool VolumeViewWidget::pictureIsFine() const {
 bool VolumeViewWidget::pictureIsCurrent() const {
     if (!m_parts->shown) return false;
     PictureRequest shown = m_parts->shown->request;
-    // requestPicture() sets findDepth only in the request, and it changes no colour.
+    // requestPicture() sets findDepth only in the request, and it changes nothing that is seen.
     shown.settings.findDepth = false;
     return samePicture(shown, presentRequest(pixelSize()));
 }

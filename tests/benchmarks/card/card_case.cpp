@@ -88,7 +88,6 @@ std::vector<CardCase> casesOf(const std::string& name, const std::shared_ptr<con
     plain.width = plain.height = pixels;
     plain.step = 0.75;
     plain.terminationTransmittance = 1.0 / 128;
-    plain.findDepth = true;
     RayCastSettings surface = plain;
     surface.shading = Shading{};
     RayCastSettings depth = surface;

@@ -46,10 +46,10 @@ std::string fileNameOf(const CardCase& one, CardReading reading) {
 
 }  // namespace
 
-CardDifference cardDifference(const Picture& card, const Picture& processor, double unitMm) {
+CardDifference cardDifference(const Picture& card, const Picture& processor) {
     CardDifference found;
-    double squares = 0.0, depthSquares = 0.0;
-    int shown = 0, both = 0, either = 0, off = 0;
+    double squares = 0.0;
+    int shown = 0;
     for (std::size_t pixel = 0; pixel < processor.rgba.size() / 4; ++pixel) {
         if (processor.rgba[4 * pixel + 3] > 0.0f || card.rgba[4 * pixel + 3] > 0.0f) {
             ++shown;
@@ -60,28 +60,14 @@ CardDifference cardDifference(const Picture& card, const Picture& processor, dou
                 found.largest = std::max(found.largest, std::isfinite(levels) ? levels : 1e9);
             }
         }
-        if (processor.depthMm.empty() || card.depthMm.empty()) continue;
-        const double one = static_cast<double>(card.depthMm[pixel]),
-                     other = static_cast<double>(processor.depthMm[pixel]);
-        if (!std::isfinite(one) && !std::isfinite(other)) continue;
-        ++either;
-        const double units = std::abs(one - other) / unitMm;
-        if (!(units <= 0.5)) ++off;
-        if (!std::isfinite(units)) continue;
-        ++both;
-        depthSquares += units * units;
     }
     found.rmse = std::sqrt(squares / std::max(1, 3 * shown));
-    found.depthRmse = std::sqrt(depthSquares / std::max(1, both));
-    found.depthShare = static_cast<double>(off) / std::max(1, either);
     return found;
 }
 
 bool compareCases(CardWindow& window, const std::vector<CardCase>& cases, const ComparisonPlan& plan) {
-    fmt::print(
-        "| volume | look | filter: RMSE | largest | depth, units | eight fetches: RMSE | largest | depth, units | "
-        "depths off by more than 0.5 |\n");
-    fmt::print("| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
+    fmt::print("| volume | look | filter: RMSE | largest | eight fetches: RMSE | largest |\n");
+    fmt::print("| --- | --- | --- | --- | --- | --- |\n");
     struct Worst {
         double rmse = 0.0;
         std::string name;
@@ -111,20 +97,19 @@ bool compareCases(CardWindow& window, const std::vector<CardCase>& cases, const 
                     return false;
                 }
                 const Picture card = window.renderer().read();
-                const CardDifference found = cardDifference(card, processor, volume->geometry().unit());
+                const CardDifference found = cardDifference(card, processor);
                 CardDifference& so = most[reading == CardReading::filter ? 0 : 1];
                 if (found.rmse > so.rmse && !plan.pictures.empty())
                     write(plan.pictures + "/" + fileNameOf(one, reading), processor, card);
-                so = {std::max(so.rmse, found.rmse), std::max(so.largest, found.largest),
-                      std::max(so.depthRmse, found.depthRmse), std::max(so.depthShare, found.depthShare)};
+                so = {std::max(so.rmse, found.rmse), std::max(so.largest, found.largest)};
             }
         }
         fmt::print("| {} | {} |", one.volume, one.look);
         for (int i = 0; i < 2; ++i) {
-            fmt::print(" {:.2f} | {:.0f} | {:.2f} |", most[i].rmse, most[i].largest, most[i].depthRmse);
+            fmt::print(" {:.2f} | {:.0f} |", most[i].rmse, most[i].largest);
             if (most[i].rmse > worst[i].rmse) worst[i] = {most[i].rmse, one.volume + ", " + one.look};
         }
-        fmt::print(" {:.2f} % |\n", 100.0 * most[1].depthShare);
+        fmt::print("\n");
         std::fflush(stdout);
     }
     fmt::print("\nThe largest RMSE is {:.2f} with the filter ({}) and {:.2f} with eight fetches ({}).\n", worst[0].rmse,

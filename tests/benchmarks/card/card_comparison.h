@@ -11,13 +11,11 @@
 
 namespace echolucent::bench {
 
-/// Levels of 8 bits over the pixels that either picture shows, and depths in units.
+/// Levels of 8 bits over the pixels that either picture shows.
 struct CardDifference {
     double rmse = 0.0, largest = 0.0;
-    double depthRmse = 0.0;   ///< over pixels with a depth in both
-    double depthShare = 0.0;  ///< of pixels with a depth in either: off by more than half a unit, or in one only
 };
-[[nodiscard]] CardDifference cardDifference(const Picture& card, const Picture& processor, double unitMm);
+[[nodiscard]] CardDifference cardDifference(const Picture& card, const Picture& processor);
 
 struct ComparisonPlan {
     int views = 2;

@@ -149,7 +149,7 @@ bool RayCastMapper::prepareShown(vtkOpenGLRenderWindow* window, Shown& shown) {
     if (drawing == Drawing::done) m_picture = nullptr;
     if (!m_picture && m_card->drawn()) {
         const RayCastSettings& settings = m_card->drawn()->settings;
-        shown = {&m_card->colours(), settings.findDepth ? &m_card->depths() : nullptr, settings.width, settings.height};
+        shown = {&m_card->colours(), nullptr, settings.width, settings.height};
         return true;
     }
     if (!m_picture || m_picture->rgba.empty()) return false;

@@ -136,6 +136,7 @@ std::string VolumeScene::whySoftware() const {
     if (m_choice == RendererChoice::automatic && !graphicsCardAtHand()) {
         return "OpenGL is software here (" + openGlRenderer() + "): the software ray caster is faster.";
     }
+    if (m_depthWanted) return "Pickers want the depth of each pixel, which the software renderer finds.";
     const CardRenderer& card = m_mapper->card();
     if (!card.failure().empty() || !m_volume) return card.failure();
     const int* size = m_renderer->GetSize();

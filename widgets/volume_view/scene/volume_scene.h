@@ -65,7 +65,8 @@ public:
     [[nodiscard]] const Overlay& overlay() const { return m_overlay.overlay(); }
 
     /// Whether the pictures asked for from now on have the depth of each pixel (RayCastSettings::findDepth). For
-    /// pickers that read the depth buffer: vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector.
+    /// pickers that read the depth buffer: vtkRenderer::GetZ(), vtkWorldPointPicker, vtkHardwareSelector. The software
+    /// renders them, so that depths do not depend on the graphics card.
     void setDepthWanted(bool wanted) { m_depthWanted = wanted; }
     [[nodiscard]] bool wantsDepth() const { return m_depthWanted; }
 

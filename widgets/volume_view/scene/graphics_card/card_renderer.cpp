@@ -16,7 +16,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -33,22 +32,10 @@ double millisecondsSince(Clock::time_point begin) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
 }
 
-constexpr float nowhere = 1e30f;  // the shader writes more where a pixel has no depth
-
 /// The most steps that a ray of a picture may have.
 double mostSteps(const CardPicture& picture, const RayCastSettings& settings) {
     const VolumeGeometry& geometry = picture.scan->filled.geometry();
     return std::max(1.0, length(geometry.boxMaxMm() - geometry.boxMinMm()) / (settings.step * geometry.unit()));
-}
-
-std::vector<float> pixelsOf(vtkTextureObject& texture, int components) {
-    unsigned size[2] = {texture.GetWidth(), texture.GetHeight()};
-    std::vector<float> pixels(std::size_t{size[0]} * size[1] * static_cast<std::size_t>(components));
-    vtkIdType steps[2] = {0, 0};
-    vtkSmartPointer<vtkPixelBufferObject> buffer;
-    buffer.TakeReference(texture.Download());
-    buffer->Download2D(VTK_FLOAT, pixels.data(), size, components, steps);
-    return pixels;
 }
 
 }  // namespace
@@ -57,21 +44,17 @@ struct CardRenderer::OpenGl {
     CardTextures textures;
     vtkNew<vtkOpenGLFramebufferObject> frame;
     /// What a picture is drawn into. While one is drawn, the newest one that is done stays.
-    struct Target {
-        vtkNew<vtkTextureObject> colours, depths;
-    };
-    std::array<Target, 2> targets;
+    std::array<vtkNew<vtkTextureObject>, 2> targets;
     std::size_t done = 0;  ///< the target of the newest picture that is done
     std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> programs;  ///< by their source
     vtkOpenGLQuadHelper* program = nullptr;                                ///< the one in use
-    Target& next() { return targets[1 - done]; }
+    vtkTextureObject& next() { return *targets[1 - done]; }
 };
 
 CardRenderer::CardRenderer(CardAnswers answers) : m_answers(std::move(answers)), m_openGl(std::make_unique<OpenGl>()) {}
 CardRenderer::~CardRenderer() = default;
 
-vtkTextureObject& CardRenderer::colours() { return *m_openGl->targets[m_openGl->done].colours; }
-vtkTextureObject& CardRenderer::depths() { return *m_openGl->targets[m_openGl->done].depths; }
+vtkTextureObject& CardRenderer::colours() { return *m_openGl->targets[m_openGl->done]; }
 int CardRenderer::volumesBrought() const { return m_openGl->textures.volumesBrought(); }
 
 void CardRenderer::setReading(CardReading reading) {
@@ -166,17 +149,14 @@ bool CardRenderer::check(vtkOpenGLRenderWindow& window, const std::shared_ptr<co
 
 bool CardRenderer::prepareTargets(vtkOpenGLRenderWindow& window, const RayCastSettings& settings) {
     const auto width = static_cast<unsigned>(settings.width), height = static_cast<unsigned>(settings.height);
-    const auto prepare = [&](vtkTextureObject& texture, int components) {
-        texture.SetContext(&window);
-        if (texture.GetHandle() != 0 && texture.GetWidth() == width && texture.GetHeight() == height) return true;
-        texture.SetWrapS(vtkTextureObject::ClampToEdge);
-        texture.SetWrapT(vtkTextureObject::ClampToEdge);
-        texture.SetMinificationFilter(vtkTextureObject::Nearest);
-        texture.SetMagnificationFilter(vtkTextureObject::Nearest);
-        return texture.Allocate2D(width, height, components, VTK_FLOAT);
-    };
-    OpenGl::Target& target = m_openGl->next();
-    return prepare(*target.colours, 4) && (!settings.findDepth || prepare(*target.depths, 1));
+    vtkTextureObject& target = m_openGl->next();
+    target.SetContext(&window);
+    if (target.GetHandle() != 0 && target.GetWidth() == width && target.GetHeight() == height) return true;
+    target.SetWrapS(vtkTextureObject::ClampToEdge);
+    target.SetWrapT(vtkTextureObject::ClampToEdge);
+    target.SetMinificationFilter(vtkTextureObject::Nearest);
+    target.SetMagnificationFilter(vtkTextureObject::Nearest);
+    return target.Allocate2D(width, height, 4, VTK_FLOAT);
 }
 
 bool CardRenderer::begin(vtkOpenGLRenderWindow& window, const std::shared_ptr<const CardPicture>& picture) {
@@ -243,15 +223,10 @@ bool CardRenderer::prepareProgram(vtkOpenGLRenderWindow& window, const RayCastSe
         return fail("The graphics card's driver does not understand the shader, so the software draws.");
     m_openGl->program = program.get();
     vtkOpenGLFramebufferObject& frame = *m_openGl->frame;
-    OpenGl::Target& target = m_openGl->next();
     frame.SetContext(&window);
     frame.Bind();
-    frame.AddColorAttachment(0, target.colours);
-    if (settings.findDepth)
-        frame.AddColorAttachment(1, target.depths);
-    else
-        frame.RemoveColorAttachment(1);
-    frame.ActivateDrawBuffers(settings.findDepth ? 2 : 1);
+    frame.AddColorAttachment(0, &m_openGl->next());
+    frame.ActivateDrawBuffers(1);
     const char* problem = nullptr;
     return vtkOpenGLFramebufferObject::GetFrameBufferStatus(vtkOpenGLFramebufferObject::GetDrawMode(), problem) ||
            fail("The graphics card cannot draw into single precision, so the software draws.");
@@ -267,8 +242,7 @@ bool CardRenderer::drawBands(vtkOpenGLRenderWindow& window, const RayCastSetting
     state->vtkglDisable(GL_DEPTH_TEST);
     state->vtkglDepthMask(GL_FALSE);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    const ray_casting::RayGeometry::PixelBox whole{0, settings.width, 0, settings.height};
-    const auto box = settings.findDepth ? whole : picture.pixels;  // every pixel must tell its depth
+    const auto& box = picture.pixels;
     if (m_begun.mixesIn) {
         state->vtkglEnable(GL_BLEND);
         state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
@@ -301,25 +275,20 @@ bool CardRenderer::drawBands(vtkOpenGLRenderWindow& window, const RayCastSetting
 }
 
 Picture CardRenderer::read() const {
-    Picture picture;
-    const OpenGl::Target& target = m_openGl->targets[m_openGl->done];
-    picture.width = static_cast<int>(target.colours->GetWidth());
-    picture.height = static_cast<int>(target.colours->GetHeight());
-    picture.rgba = pixelsOf(*target.colours, 4);
-    if (!m_drawn || !m_drawn->settings.findDepth) return picture;
-    picture.depthMm = pixelsOf(*target.depths, 1);
-    for (float& depth : picture.depthMm)
-        if (!(depth < nowhere)) depth = std::numeric_limits<float>::infinity();
+    vtkTextureObject& target = *m_openGl->targets[m_openGl->done];
+    unsigned size[2] = {target.GetWidth(), target.GetHeight()};
+    Picture picture = emptyPicture(static_cast<int>(size[0]), static_cast<int>(size[1]));
+    vtkIdType steps[2] = {0, 0};
+    vtkSmartPointer<vtkPixelBufferObject> buffer;
+    buffer.TakeReference(target.Download());
+    buffer->Download2D(VTK_FLOAT, picture.rgba.data(), size, 4, steps);
     return picture;
 }
 
 void CardRenderer::release(vtkWindow* window) {
     m_openGl->textures.release(window);
     m_openGl->programs.clear();
-    for (OpenGl::Target& target : m_openGl->targets) {
-        target.colours->ReleaseGraphicsResources(window);
-        target.depths->ReleaseGraphicsResources(window);
-    }
+    for (auto& target : m_openGl->targets) target->ReleaseGraphicsResources(window);
     m_openGl->frame->ReleaseGraphicsResources(window);
     m_drawn = nullptr;
     m_begun = {};

@@ -16,11 +16,11 @@ class vtkWindow;
 
 namespace echolucent {
 
-/// Draws the picture of a CardPicture as castRays() casts it (docs/rendering.md, "On a graphics card"). Before the
-/// first picture in a context it draws a known one, and draws nothing if the card draws that wrongly. It draws a
-/// picture in bands of rows that each take about bandMilliseconds, because drivers end drawings that take seconds. So a
-/// picture may also be drawn in several calls. Only the thread of the window may use it, and only while the window's
-/// context is current.
+/// Draws the picture of a CardPicture as castRays() casts it (docs/rendering.md, "On a graphics card"), but finds no
+/// depths of pixels. Before the first picture in a context it draws a known one, and draws nothing if the card draws
+/// that wrongly. It draws a picture in bands of rows that each take about bandMilliseconds, because drivers end
+/// drawings that take seconds. So a picture may also be drawn in several calls. Only the thread of the window may use
+/// it, and only while the window's context is current.
 class CardRenderer {
 public:
     explicit CardRenderer(CardAnswers answers = {});
@@ -48,8 +48,6 @@ public:
     [[nodiscard]] const std::shared_ptr<const CardPicture>& drawn() const { return m_drawn; }
     /// Its premultiplied colours, rows from the top.
     [[nodiscard]] vtkTextureObject& colours();
-    /// Its depths, mm: 1e38 in a pixel without one. Only if the settings asked for depths.
-    [[nodiscard]] vtkTextureObject& depths();
     /// The same, read back.
     [[nodiscard]] Picture read() const;
 

@@ -25,7 +25,6 @@ std::string cardShader(const CardPicture& picture, const RayCastSettings& settin
     define("JUMPS", isDirect && picture.bricks);
     define("MEAN", settings.mode == RenderMode::mean);
     define("MINIMUM", settings.mode == RenderMode::minimum);
-    define("DEPTHS", settings.findDepth);
     const bool bytes = std::holds_alternative<VoxelArray<std::uint8_t>>(picture.scan->filled.voxels());
     source += std::string("#define BYTES ") + (bytes ? "true" : "false") + "\n";
     source += "#define HALF_SPACES " + std::to_string(picture.rays.halfSpaces.size()) + "\n";

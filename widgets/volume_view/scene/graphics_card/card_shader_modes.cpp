@@ -25,7 +25,7 @@ int emptySteps() {
 #endif
 
 vec3 colour = vec3(0.0);
-float transmittance = 1.0, depth = 1e38, unlit = 1.0;
+float transmittance = 1.0, unlit = 1.0;
 
 // The share of a cut's face changes over half a step.
 float leftOfCutFace(float opacity, float units) {
@@ -59,9 +59,7 @@ void add(float at, float part, bool clear) {
     seen *= nearTint + tintChange * clamp((depthStart + depthStep * at - tintDepth) * tintPerMm, 0.0, 1.0);
 #endif
     colour += added * seen;
-    float before = transmittance;
     transmittance -= added;
-    if (before > 0.5 && transmittance <= 0.5) depth = depthStart + depthStep * at;
 }
 bool ended() { return transmittance <= 0.0 || transmittance < ends; }
 
@@ -123,7 +121,6 @@ vec4 castRay() {
 )";
 
 const char* const extremesPart = R"(
-float depth = 1e38;
 vec4 castRay() {
     float value = 0.0, count = 0.0;
     bool isHead = headLength > 0.0;
@@ -153,16 +150,12 @@ vec4 castRay() {
 #endif
         float position = positionAt(place);
 #if defined(MEAN)
-        bool better = count == 0.0;
         value += part * position;
 #elif defined(MINIMUM)
-        bool better = count == 0.0 || position < value;
-        if (better) value = position;
+        if (count == 0.0 || position < value) value = position;
 #else
-        bool better = count == 0.0 || position > value;
-        if (better) value = position;
+        if (count == 0.0 || position > value) value = position;
 #endif
-        if (better) depth = depthStart + depthStep * at;
         count += part;
     }
     if (count == 0.0) return vec4(0.0);
@@ -180,13 +173,9 @@ void main() {
     if (texCoord.x < -1.0) discard;  // never; VTK's rectangle asks that this is read
     vec4 seen = vec4(0.0);
     aim(floor(gl_FragCoord.xy));
-    bool any = cutIntoSteps();
-    if (any) seen = castRay();
+    if (cutIntoSteps()) seen = castRay();
     if (brightness != 1.0) seen.rgb = min(seen.rgb * brightness, vec3(seen.a));
     gl_FragData[0] = seen * weight;
-#ifdef DEPTHS
-    gl_FragData[1] = vec4(any ? depth : 1e38);
-#endif
 }
 )";
 
