@@ -31,6 +31,7 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
     const PacketShape shape = packetShape();
     const int acrossPacket = shape.columns * job.apart, downPacket = shape.rows * job.apart;
     const int left = box.firstColumn / acrossPacket * acrossPacket, top = box.firstRow / downPacket * downPacket;
+    // Larger tiles would be too few for many threads.
     const int edge = tileEdge * std::min(job.apart, 2);
     const int columns = (std::max(0, box.lastColumn - left) + edge - 1) / edge;
     const int rows = (std::max(0, box.lastRow - top) + edge - 1) / edge;
@@ -50,15 +51,15 @@ bool castTiles(const KernelJob<Voxel>& job, const Progress& progress) {
 /// As castTiles(), but casts only pixels that cannot be interpolated between others (RayCastSettings::pixelTolerance).
 /// Sets the share of the visible pixels that were cast.
 template <typename Voxel>
-bool castSparsely(KernelJob<Voxel> job, int raysApart, double tolerance, const Progress& progress, double& share) {
+bool castSparsely(KernelJob<Voxel> job, int apart, double tolerance, const Progress& progress, double& share) {
     const RayGeometry::PixelBox box = job.rays->visiblePixels();
     const double pixels = static_cast<double>(box.lastColumn - box.firstColumn) * (box.lastRow - box.firstRow);
     const Progress untold{{}, progress.cancel};
-    job.apart = raysApart;
+    job.apart = apart;
     if (!castTiles(job, untold)) return false;
     job.apart = 1;
-    double cast = pixels / (raysApart * raysApart);
-    for (int apart = raysApart; apart > 1; apart /= 2) {
+    double cast = pixels / (apart * apart);
+    for (; apart > 1; apart /= 2) {
         const PixelsLeft left = fillBetweenRays(*job.picture, box, apart, tolerance);
         cast += static_cast<double>(left.count);
         job.chosen = left.chosen.data();

@@ -60,12 +60,7 @@ uniform float firstVisible;
 float opacityOf(vec3 at, float position, float part) {
     if (position <= firstVisible) return 0.0;
     ivec2 count = textureSize(nodes, 0);
-#if defined(EIGHT_FETCHES) && !defined(NEAREST)
-    float gradient = ownMeanOf(gradients, at, true);  // bytes, whatever the voxels are
-#else
-    float gradient = readAt(gradients, at);
-#endif
-    vec2 place = vec2(position / white, gradient) * vec2(count - 1);
+    vec2 place = vec2(position / white, readAt(gradients, at)) * vec2(count - 1);
     ivec2 a = min(ivec2(place), count - 2);
     vec2 share = place - vec2(a);
     vec2 near = vec2(texelFetch(nodes, a, 0).r, texelFetch(nodes, a + ivec2(0, 1), 0).r);
