@@ -1,5 +1,6 @@
 #include "widgets/camera_gestures.h"
 
+#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -51,6 +52,20 @@ std::optional<CameraKey> cameraKeyOf(const QKeyEvent& event) {
     if (!direction || (!control && !shift)) return std::nullopt;
     if (!control) return CameraKey{CameraDrag::pan, moveOfKey * *direction};
     return CameraKey{CameraDrag::orbit, (shift ? 10.0 : 1.0) / degreesPerHeight * *direction};
+}
+
+std::vector<SpokenAction> cameraActions() {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("accessibility", text); };
+    return {{tr("Turn to the left"), Qt::CTRL | Qt::SHIFT | Qt::Key_Left},
+            {tr("Turn to the right"), Qt::CTRL | Qt::SHIFT | Qt::Key_Right},
+            {tr("Turn up"), Qt::CTRL | Qt::SHIFT | Qt::Key_Up},
+            {tr("Turn down"), Qt::CTRL | Qt::SHIFT | Qt::Key_Down},
+            {tr("Move to the left"), Qt::SHIFT | Qt::Key_Left},
+            {tr("Move to the right"), Qt::SHIFT | Qt::Key_Right},
+            {tr("Move up"), Qt::SHIFT | Qt::Key_Up},
+            {tr("Move down"), Qt::SHIFT | Qt::Key_Down},
+            {tr("Zoom in"), Qt::Key_Plus},
+            {tr("Zoom out"), Qt::Key_Minus}};
 }
 
 }  // namespace echolucent

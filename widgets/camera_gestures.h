@@ -4,6 +4,9 @@
 
 #include <QPointF>
 #include <optional>
+#include <vector>
+
+#include "widgets/accessibility/spoken_widget.h"
 
 class QKeyEvent;
 class QMouseEvent;
@@ -29,6 +32,8 @@ struct CameraKey {
 /// + and - zoom, Control and an arrow orbit by a degree, with Shift by ten, Shift and an arrow pan. No value for any
 /// other key.
 [[nodiscard]] std::optional<CameraKey> cameraKeyOf(const QKeyEvent& event);
+/// The same keys for screen readers.
+[[nodiscard]] std::vector<SpokenAction> cameraActions();
 /// The direction of an arrow key, of length 1; no value for another key.
 [[nodiscard]] std::optional<QPointF> directionOfArrow(int key);
 

@@ -40,6 +40,7 @@
 #include "app/window/window_menus.h"
 #include "app/window/window_place.h"
 #include "app/window/window_tool_bar.h"
+#include "widgets/accessibility/spoken_widget.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/opening_label.h"
 #include "widgets/controls/panel_controls.h"
@@ -69,6 +70,7 @@ MainWindow::MainWindow(const QString& settingsFile, const std::function<void(Ope
         return taken;
     });
     if (begin) begin(m_openStudy);
+    watchSpokenWidgets();
     wearTheme(m_settings.theme());  // before there are widgets, which would be styled twice
     setObjectName("mainWindow");
     setWindowTitle(tr("Echolucent"));

@@ -41,6 +41,7 @@ CompareGrid::CompareGrid(QWidget* parent) : QWidget(parent) {
     setAccessibleName(tr("Panes compared"));
     for (std::size_t i = 0; i < m_panes.size(); ++i) {
         m_panes[i] = new ComparePane(QStringLiteral("compare.pane%1").arg(i + 1), this);
+        m_panes[i]->setAccessibleName(tr("Picture compared: %1").arg(i + 1));  // until it shows something
         connectPane(m_panes[i]);
         connect(m_panes[i], &ComparePane::focused, this, [this, i] { emit focused(i); });
         connect(m_panes[i], &ComparePane::maximiseRequested, this, [this, i] {
@@ -51,6 +52,7 @@ CompareGrid::CompareGrid(QWidget* parent) : QWidget(parent) {
         });
     }
     m_pair = new ComparePane(QStringLiteral("compare.pair"), this);
+    m_pair->setAccessibleName(tr("Two pictures compared in one"));
     connectPane(m_pair);
     place();
 }

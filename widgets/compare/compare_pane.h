@@ -15,7 +15,7 @@ namespace echolucent {
 /// left drag moves the light, a double click asks for the whole room, Escape ends a drag. Ctrl + arrows orbit, Shift +
 /// arrows pan, + and - zoom. Drags are reported while they go on, in shares of the picture's height, to the right and
 /// down. In a wipe, a left drag of the line between the two pictures moves the line, and so do Left and Right.
-class ComparePane : public QWidget {
+class ComparePane : public QWidget, public SpokenWidget {
     Q_OBJECT
 
 public:
@@ -46,6 +46,9 @@ public:
     [[nodiscard]] bool dragging() const { return m_drag != CameraDrag::none || m_wiping; }
     /// Ends a drag without change. False if there is none.
     bool cancelDrag();
+
+    /// The camera's keys.
+    [[nodiscard]] std::vector<SpokenAction> spokenActions() const override { return cameraActions(); }
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, 120}; }
     [[nodiscard]] QSize sizeHint() const override { return {400, 440}; }

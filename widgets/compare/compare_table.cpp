@@ -20,6 +20,7 @@ CompareTable::CompareTable(QWidget* parent) : QGroupBox(tr("Measured"), parent) 
     column->addWidget(m_table = makeTable());
     column->addWidget(m_note = secondaryLabel({}));
     m_note->setObjectName("compare.note");
+    m_note->setAccessibleName(tr("Note on the measures"));
     m_note->setWordWrap(true);
     column->addLayout(makeButtons());
     sayWhichSurfaces();

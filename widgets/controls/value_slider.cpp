@@ -2,6 +2,7 @@
 #include "widgets/controls/number_box.h"
 
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSlider>
@@ -49,6 +50,14 @@ ValueSlider::ValueSlider(const QString& name, const QString& accessibleName, dou
 
     connect(m_slider, &QSlider::valueChanged, this, &ValueSlider::takeFromSlider);
     connect(m_spinBox, &QDoubleSpinBox::valueChanged, this, &ValueSlider::takeFromSpinBox);
+}
+
+bool ValueSlider::event(QEvent* event) {
+    // A pointer finds the tool tip through its two controls; a screen reader asks them alone.
+    if (event->type() == QEvent::ToolTipChange)
+        for (QWidget* control : {static_cast<QWidget*>(m_slider), static_cast<QWidget*>(m_spinBox)})
+            control->setAccessibleDescription(toolTip());
+    return QWidget::event(event);
 }
 
 double ValueSlider::value() const { return m_spinBox->value(); }

@@ -38,6 +38,9 @@ public:
 signals:
     void valueChanged(double value);
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
     void showOnSlider();
     void showReset();

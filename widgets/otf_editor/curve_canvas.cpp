@@ -31,6 +31,8 @@ CurveCanvas::CurveCanvas(OtfEditorModel& model, QWidget* parent) : QWidget(paren
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&m_model, &OtfEditorModel::changed, this, qOverload<>(&QWidget::update));
+    connect(&m_model, &OtfEditorModel::changed, this, [this] { tellNodeChanged(*this, m_model.selectedNode()); });
+    connect(&m_model, &OtfEditorModel::selectedNodeChanged, this, [this](int node) { tellNodeChosen(*this, node); });
     layOutPlot();
 }
 
@@ -138,6 +140,29 @@ int CurveCanvas::nodeAt(QPointF position) const {
         }
     }
     return nearest;
+}
+
+std::vector<SpokenNode> CurveCanvas::spokenNodes() const {
+    if (!m_model.state().visible[indexOf(CurveKind::manual)]) return {};
+    const auto& nodes = m_model.state().manual.nodes;
+    std::vector<SpokenNode> spoken;
+    for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
+        const CurveNode& node = nodes[static_cast<std::size_t>(i)];
+        spoken.push_back({spokenNameOf(i, nodes.size(), tr("intensity %1").arg(node.intensity, 0, 'f', 3)),
+                          node.opacity, placeOfNode(m_axes.positionOf(node), inLettersOf(*this, hitDistance)),
+                          i == m_model.selectedNode()});
+    }
+    return spoken;
+}
+
+void CurveCanvas::chooseSpokenNode(int node) {
+    setFocus(Qt::OtherFocusReason);
+    m_model.selectNode(node);
+}
+
+void CurveCanvas::setSpokenOpacity(int node, double opacity) {
+    const double intensity = m_model.state().manual.nodes[static_cast<std::size_t>(node)].intensity;
+    m_model.moveNode(node, {intensity, opacity});
 }
 
 bool CurveCanvas::event(QEvent* event) {

@@ -8,6 +8,7 @@
 #include "processing/comparison/early_light.h"
 #include "processing/intensity/histogram.h"
 #include "processing/volume/value_scale.h"
+#include "widgets/accessibility/spoken_widget.h"
 #include "widgets/otf_editor/histogram_backdrop.h"
 #include "widgets/otf_editor/otf_editor_model.h"
 #include "widgets/otf_editor/plot_axes.h"
@@ -19,7 +20,7 @@ namespace echolucent {
 /// zooms the intensities over the plot or their axis, the opacities over their axis or with Ctrl. A double click on an
 /// axis resets that axis, in the corner both. Keys: Tab and the Page keys go from node to node, arrows move the
 /// selected one by 1/256 (with Shift by 10/256), Delete removes it, Escape ends a drag without change.
-class CurveCanvas : public QWidget {
+class CurveCanvas : public QWidget, public SpokenWidget {
     Q_OBJECT
 
 public:
@@ -48,6 +49,11 @@ public:
     void resetZoom();
     /// Index of the node that a press at `position` would take, -1 for none.
     [[nodiscard]] int nodeAt(QPointF position) const;
+
+    /// The nodes of the manual curve, if it is drawn.
+    [[nodiscard]] std::vector<SpokenNode> spokenNodes() const override;
+    void chooseSpokenNode(int node) override;
+    void setSpokenOpacity(int node, double opacity) override;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

@@ -160,24 +160,53 @@ bool EmphasisCanvas::select(int step) {
     if (wanted < 0 || wanted >= static_cast<int>(m_nodes.size())) return false;
     m_selected = wanted;
     update();
+    tellNodeChosen(*this, wanted);
     return true;
 }
 
 bool EmphasisCanvas::nudge(int key) {
     if (m_selected < 0) return false;
-    EmphasisNode& node = m_nodes[static_cast<std::size_t>(m_selected)];
-    EmphasisNode wanted = node;
+    EmphasisNode wanted = m_nodes[static_cast<std::size_t>(m_selected)];
     if (key == Qt::Key_Left) wanted.position -= keyStep;
     if (key == Qt::Key_Right) wanted.position += keyStep;
     if (key == Qt::Key_Up) wanted.opacity += keyStep;
     if (key == Qt::Key_Down) wanted.opacity -= keyStep;
-    wanted = clamped(m_selected, wanted);
-    if (wanted != node) {
-        node = wanted;
-        update();
-        emit edited(m_nodes, tr("move node of emphasis"));
-    }
+    moveSelected(wanted);
     return true;
+}
+
+void EmphasisCanvas::moveSelected(const EmphasisNode& wanted) {
+    EmphasisNode& node = m_nodes[static_cast<std::size_t>(m_selected)];
+    const EmphasisNode next = clamped(m_selected, wanted);
+    if (next == node) return;
+    node = next;
+    update();
+    tellNodeChanged(*this, m_selected);
+    emit edited(m_nodes, tr("move node of emphasis"));
+}
+
+std::vector<SpokenNode> EmphasisCanvas::spokenNodes() const {
+    std::vector<SpokenNode> spoken;
+    for (int i = 0; i < static_cast<int>(m_nodes.size()); ++i) {
+        const EmphasisNode& node = m_nodes[static_cast<std::size_t>(i)];
+        spoken.push_back({spokenNameOf(i, m_nodes.size(), tr("position in boundary %1").arg(node.position, 0, 'f', 2)),
+                          node.opacity, placeOfNode(positionOf(node), inLettersOf(*this, hitDistance)),
+                          i == m_selected});
+    }
+    return spoken;
+}
+
+void EmphasisCanvas::chooseSpokenNode(int node) {
+    setFocus(Qt::OtherFocusReason);
+    m_selected = node;
+    update();
+    tellNodeChosen(*this, node);
+}
+
+void EmphasisCanvas::setSpokenOpacity(int node, double opacity) {
+    if (m_dragging) return;
+    m_selected = node;
+    moveSelected({m_nodes[static_cast<std::size_t>(node)].position, opacity});
 }
 
 bool EmphasisCanvas::isOwnKey(int key) {

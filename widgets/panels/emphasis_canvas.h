@@ -6,13 +6,14 @@
 #include <vector>
 
 #include "processing/designers/choice/designer_config.h"
+#include "widgets/accessibility/spoken_widget.h"
 
 namespace echolucent {
 
 /// Mouse: a drag moves a node, a double click adds one. Keys: Tab and the Page keys go from node to node, arrows move
 /// the selected one by 1/20, Delete removes it, Escape ends a drag without change. A node stays between its neighbours,
 /// and within shownPositions unless it was set beyond.
-class EmphasisCanvas : public QWidget {
+class EmphasisCanvas : public QWidget, public SpokenWidget {
     Q_OBJECT
 
 public:
@@ -24,6 +25,10 @@ public:
     /// Emits nothing.
     void setNodes(const std::vector<EmphasisNode>& nodes);
     [[nodiscard]] QPointF positionOf(const EmphasisNode& node) const;
+
+    [[nodiscard]] std::vector<SpokenNode> spokenNodes() const override;
+    void chooseSpokenNode(int node) override;
+    void setSpokenOpacity(int node, double opacity) override;
 
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -54,6 +59,8 @@ private:
     [[nodiscard]] EmphasisNode clamped(int index, const EmphasisNode& node) const;
     bool select(int step);
     bool nudge(int key);
+    /// Moves the selected node as far as it may.
+    void moveSelected(const EmphasisNode& wanted);
     void removeSelected();
     [[nodiscard]] static bool isOwnKey(int key);
 

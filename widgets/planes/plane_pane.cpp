@@ -354,6 +354,23 @@ void PlanePane::keyPressEvent(QKeyEvent* event) {
     }
 }
 
+QString PlanePane::spokenState() const {
+    if (!m_scene) return tr("nothing is shown");
+    return m_scene->lie.isEmpty() ? offsetWords() : offsetWords() + QStringLiteral(", ") + m_scene->lie;
+}
+
+std::vector<SpokenAction> PlanePane::spokenActions() const {
+    return {{tr("Step to the plane before"), Qt::Key_Up},
+            {tr("Step to the next plane"), Qt::Key_Down},
+            {tr("Step back by ten planes"), Qt::Key_PageUp},
+            {tr("Step on by ten planes"), Qt::Key_PageDown},
+            {tr("Turn to the left"), Qt::Key_Left},
+            {tr("Turn to the right"), Qt::Key_Right},
+            {tr("Zoom in"), Qt::Key_Plus},
+            {tr("Zoom out"), Qt::Key_Minus},
+            {tr("Reset the plane"), Qt::Key_Home}};
+}
+
 void PlanePane::showCursor(const QPointF& pixel) {
     const std::optional<BoxGrip> grip = gripAt(drawing(), pixel);
     const bool rimmed = !grip && !m_toolCursor && atRim(pixel);

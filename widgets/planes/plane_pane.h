@@ -12,6 +12,7 @@
 #include "processing/scene/box.h"
 #include "processing/scene/planes.h"
 #include "processing/scene/shown_measurement.h"
+#include "widgets/accessibility/spoken_widget.h"
 #include "widgets/planes/box_grips.h"
 #include "widgets/planes/grey_image.h"
 #include "widgets/planes/plane_mapping.h"
@@ -47,7 +48,7 @@ struct PlaneScene {
 /// + and - zoom, Home resets. A double click asks for the whole room. Escape ends a drag without change. The pane does
 /// not change the planes: it says how they would be. Objects: planes.a, planes.b, planes.c, each with .reset and
 /// .maximise.
-class PlanePane : public QWidget {
+class PlanePane : public QWidget, public SpokenWidget {
     Q_OBJECT
 
 public:
@@ -94,6 +95,10 @@ public:
     [[nodiscard]] PlaneMapping mapping() const;
     /// The drawing of the box, and its grips.
     [[nodiscard]] const BoxDrawing& drawing() const;
+
+    /// The offset of the plane, and how it lies to the beam.
+    [[nodiscard]] QString spokenState() const override;
+    [[nodiscard]] std::vector<SpokenAction> spokenActions() const override;
 
     /// The rim is the part nearer than this to the pane's border, in logical pixels.
     static constexpr double rim = 24.0;

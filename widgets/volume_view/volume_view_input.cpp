@@ -296,6 +296,16 @@ void VolumeViewWidget::keyPressEvent(QKeyEvent* event) {
     if (!dragging()) followHand(*moved);
 }
 
+QString VolumeViewWidget::spokenState() const {
+    if (!m_parts->volume) return tr("no volume is shown");
+    const ViewDirection& from = m_parts->pose.direction;
+    const QString seen = tr("azimuth %1°, elevation %2°, roll %3° to the beam")
+                             .arg(from.azimuth, 0, 'f', 0)
+                             .arg(from.elevation, 0, 'f', 0)
+                             .arg(from.roll, 0, 'f', 0);
+    return caption().isEmpty() ? seen : seen + QStringLiteral(". ") + caption();
+}
+
 /// The camera after a key of the picture; no value for another key.
 std::optional<CameraPose> VolumeViewWidget::poseAfter(const QKeyEvent& event) const {
     if (!m_parts->volume) return std::nullopt;

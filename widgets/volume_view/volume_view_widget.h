@@ -17,6 +17,7 @@
 #include "processing/scene/pose.h"
 #include "processing/viewpoint/viewpoint.h"
 #include "processing/volume/volume.h"
+#include "widgets/camera_gestures.h"
 #include "widgets/marking_pointer.h"
 
 namespace echolucent {
@@ -52,7 +53,7 @@ struct PictureReport {
 /// by 10°, Shift + arrows pan, plus and minus zoom. The picture lies in an OpenGL window of its own inside this widget,
 /// which is twice as cheap as a QOpenGLWidget if OpenGL is software. So no sibling widget can be drawn over it, and
 /// QWidget::grab() does not see it (screenImage() does). It must not be put in a dock that moves it to another window.
-class VolumeViewWidget : public QWidget {
+class VolumeViewWidget : public QWidget, public SpokenWidget {
     Q_OBJECT
 
 public:
@@ -161,6 +162,10 @@ public:
     [[nodiscard]] bool graphicsCardUsable() const;
 
     [[nodiscard]] VolumeScene& scene();
+
+    /// From where the scan is seen, and the caption.
+    [[nodiscard]] QString spokenState() const override;
+    [[nodiscard]] std::vector<SpokenAction> spokenActions() const override { return cameraActions(); }
 
     [[nodiscard]] QSize sizeHint() const override { return {800, 640}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 120}; }

@@ -1,0 +1,60 @@
+#include "widgets/accessibility/combo_box_access.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QWidget>
+
+namespace echolucent {
+
+ComboBoxAccess::ComboBoxAccess(QComboBox& box) : QAccessibleWidget(&box, QAccessible::ComboBox), m_box(box) {}
+
+QString ComboBoxAccess::text(QAccessible::Text kind) const {
+    if (kind == QAccessible::Value) return m_box.currentText();
+    return QAccessibleWidget::text(kind);
+}
+
+QAccessible::State ComboBoxAccess::state() const {
+    QAccessible::State state = QAccessibleWidget::state();
+    state.hasPopup = state.expandable = true;
+    state.expanded = m_box.view()->isVisible();
+    state.collapsed = !state.expanded;
+    state.editable = m_box.isEditable();
+    return state;
+}
+
+int ComboBoxAccess::childCount() const { return m_box.isEditable() ? 2 : 1; }
+
+QAccessibleInterface* ComboBoxAccess::child(int place) const {
+    QWidget* part = nullptr;
+    if (place == 0) part = m_box.view();
+    if (place == 1) part = m_box.lineEdit();  // null if the box is not editable
+    if (part == nullptr) return nullptr;
+    // Qt gives them no name: they are called as the box.
+    if (part->accessibleName().isEmpty()) part->setAccessibleName(text(QAccessible::Name));
+    return QAccessible::queryAccessibleInterface(part);
+}
+
+int ComboBoxAccess::indexOfChild(const QAccessibleInterface* child) const {
+    if (child->object() == m_box.view()) return 0;
+    return m_box.isEditable() && child->object() == m_box.lineEdit() ? 1 : -1;
+}
+
+QAccessibleInterface* ComboBoxAccess::childAt(int x, int y) const {
+    for (int place = 0; place < childCount(); ++place)
+        if (child(place)->rect().contains(x, y) && !child(place)->state().invisible) return child(place);
+    return nullptr;
+}
+
+QStringList ComboBoxAccess::actionNames() const { return {showMenuAction(), pressAction(), setFocusAction()}; }
+
+void ComboBoxAccess::doAction(const QString& name) {
+    if (name != showMenuAction() && name != pressAction()) return QAccessibleWidget::doAction(name);
+    if (!m_box.isEnabled()) return;
+    if (m_box.view()->isVisible())
+        m_box.hidePopup();
+    else
+        m_box.showPopup();
+}
+
+}  // namespace echolucent
