@@ -177,6 +177,7 @@ private:
     PanelScrollArea& addDock(const Dock& dock) {
         auto* widget = new QDockWidget(QMainWindow::tr(dock.title), &m_window);
         widget->setObjectName(dock.name);
+        widget->toggleViewAction()->setObjectName(QLatin1String(dock.name) + QStringLiteral(".shown"));
         widget->toggleViewAction()->setToolTip(QMainWindow::tr(dock.holds));
         m_areas.push_back({new PanelScrollArea(widget), dock.shown});
         return *m_areas.back().area;

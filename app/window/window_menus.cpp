@@ -46,6 +46,7 @@ QAction* addSwitch(QMenu* menu, const QString& text, const QString& name, const 
 
 void createFileMenu(QMainWindow& window, OtfEditor& editor, const WindowCommands& commands) {
     QMenu* file = window.menuBar()->addMenu(tr("&File"));
+    file->setObjectName("menu.file");
     addAction(file, tr("&Open volume…"), "file.open", commands.openFile);
     addAction(file, tr("Open &folder of DICOM slices…"), "file.openFolder", commands.openFolder);
     addAction(file, tr("Open &raw volume…"), "file.openRaw", commands.openRawFile);
@@ -159,6 +160,7 @@ void createMenus(QMainWindow& window, OtfEditor& editor, const QList<QDockWidget
     createFileMenu(window, editor, commands);
     // The editor's actions have their own shortcuts.
     QMenu* edit = window.menuBar()->addMenu(tr("&Edit"));
+    edit->setObjectName("menu.edit");
     edit->addActions({editor.undoAction(), editor.redoAction()});
     addAction(edit, tr("&History"), "edit.history", commands.showHistory);
     edit->addSeparator();
@@ -167,6 +169,7 @@ void createMenus(QMainWindow& window, OtfEditor& editor, const QList<QDockWidget
     createOtfMenu(window, editor, commands);
     createMotionMenu(window, course, commands);
     QMenu* help = window.menuBar()->addMenu(tr("&Help"));
+    help->setObjectName("menu.help");
     addAction(help, tr("&What does the picture show?"), "help.explain", commands.explain);
     addAction(help, tr("&About Echolucent"), "help.about", [&window] { showAbout(window); });
     for (QMenu* menu : window.menuBar()->findChildren<QMenu*>()) menu->setToolTipsVisible(true);

@@ -40,6 +40,10 @@ public:
         m_bar->setMovable(false);
         m_bar->setFloatable(false);
         m_bar->setIconSize({pictureEdge, pictureEdge});
+        // Qt makes it for buttons that find no room.
+        if (auto* more = m_bar->findChild<QToolButton*>("qt_toolbar_ext_button"))
+            more->setAccessibleName(barText("More buttons"));
+        m_bar->toggleViewAction()->setObjectName("toolBar.shown");
         m_bar->toggleViewAction()->setVisible(false);  // it always stays
         addButtons();
         addFaces();
@@ -178,6 +182,7 @@ private:
                    const char* first = nullptr) {
         auto* menu = new QMenu(button);
         menu->setObjectName(button->objectName() + QStringLiteral(".menu"));
+        menu->setAccessibleName(button->accessibleName());
         menu->setToolTipsVisible(true);
         for (const char* name : actions) menu->addAction(action(name));
         button->setMenu(menu);

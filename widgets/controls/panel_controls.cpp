@@ -39,17 +39,23 @@ void wheelNeedsFocus(QWidget* control) {
 
 namespace {
 
+constexpr const char *ifEnabled = "toolTipIfEnabled", *withReason = "toolTipWithReason";
+
 template <typename Control>
-void enableWithReason(Control& control, bool enabled, const QString& whyNot) {
-    constexpr const char *ifEnabled = "toolTipIfEnabled", *set = "toolTipWithReason";
-    control.setEnabled(enabled);
+QString meaningOfControl(const Control& control) {
     // Another tool tip than the one set here is the control's new meaning.
     const QVariant kept = control.property(ifEnabled);
-    const bool isKept = kept.isValid() && control.property(set).toString() == control.toolTip();
-    const QString meaning = isKept ? kept.toString() : control.toolTip();
+    const bool isKept = kept.isValid() && control.property(withReason).toString() == control.toolTip();
+    return isKept ? kept.toString() : control.toolTip();
+}
+
+template <typename Control>
+void enableWithReason(Control& control, bool enabled, const QString& whyNot) {
+    control.setEnabled(enabled);
+    const QString meaning = meaningOfControl(control);
     const QString told = enabled ? meaning : meaning.isEmpty() ? whyNot : meaning + QLatin1Char('\n') + whyNot;
     control.setProperty(ifEnabled, enabled ? QVariant() : QVariant(meaning));
-    control.setProperty(set, enabled ? QVariant() : QVariant(told));
+    control.setProperty(withReason, enabled ? QVariant() : QVariant(told));
     if (told != control.toolTip()) control.setToolTip(told);
 }
 
@@ -60,6 +66,10 @@ void enableOrSayWhy(QWidget& control, bool enabled, const QString& whyNot) {
 }
 
 void enableOrSayWhy(QAction& action, bool enabled, const QString& whyNot) { enableWithReason(action, enabled, whyNot); }
+
+QString meaningOf(const QWidget& control) { return meaningOfControl(control); }
+
+QString meaningOf(const QAction& action) { return meaningOfControl(action); }
 
 QLabel* labelFor(QWidget* control, const QString& text) {
     auto* label = new QLabel(text);

@@ -30,6 +30,10 @@ Widget* named(Widget* widget, const QString& objectName, const QString& accessib
 void enableOrSayWhy(QWidget& control, bool enabled, const QString& whyNot);
 void enableOrSayWhy(QAction& action, bool enabled, const QString& whyNot);
 
+/// The tool tip of a control without the sentence that enableOrSayWhy() has put behind it.
+[[nodiscard]] QString meaningOf(const QWidget& control);
+[[nodiscard]] QString meaningOf(const QAction& action);
+
 /// A tool tip that shows any text as it is, also one that looks like HTML.
 [[nodiscard]] QString literalToolTip(const QString& text);
 /// A text of a menu or button that shows any text as it is: no "&" in it marks a key.

@@ -49,6 +49,7 @@ LessonConditionEditor::LessonConditionEditor(QWidget* parent)
     setObjectName("lessons.editor.condition");
     setAccessibleName(tr("When the step is done"));
     m_nested->setObjectName("lessons.editor.condition.nested");
+    m_nested->setAccessibleName(tr("What is not edited here"));
     m_nested->setWordWrap(true);
     m_rule->addItem(tr("all of them hold"), static_cast<int>(ConditionKind::all));
     m_rule->addItem(tr("one of them holds"), static_cast<int>(ConditionKind::any));

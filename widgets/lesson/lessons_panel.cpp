@@ -101,7 +101,7 @@ QWidget* LessonsPanel::createAuthorRows(QWidget* page) {
                   tr("Makes a lesson with a step a snapshot, and opens it to be written"));
     m_edit = tool(tr("Edit…"), "lessons.edit", tr("Opens a lesson to be written"), rows);
     m_edit->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(m_edit);
+    auto* menu = named(new QMenu(m_edit), "lessons.edit.menu", tr("Edit a lesson"));
     m_editCopy = menu->addAction(tr("A copy of the chosen lesson"));
     m_editCopy->setObjectName("lessons.editCopy");
     QAction* folder = menu->addAction(tr("A lesson in a folder…"));
@@ -109,7 +109,7 @@ QWidget* LessonsPanel::createAuthorRows(QWidget* page) {
     m_edit->setMenu(menu);
     m_draft = tool(tr("Continue my draft"), "lessons.draft", tr("Opens what was written and not saved"), rows);
     m_draft->setPopupMode(QToolButton::InstantPopup);
-    m_draft->setMenu(new QMenu(m_draft));
+    m_draft->setMenu(named(new QMenu(m_draft), "lessons.draft.menu", tr("Continue my draft")));
     m_handout = tool(tr("Save handout…"), "lessons.handout",
                      tr("Writes the chosen lesson as a page that opens without a network"), rows);
     auto* row = new QHBoxLayout;
@@ -134,6 +134,7 @@ QWidget* LessonsPanel::createPage() {
     auto* head = new QHBoxLayout;
     m_lesson = secondaryLabel();
     m_lesson->setObjectName("lessons.lesson");
+    m_lesson->setAccessibleName(tr("Lesson that is played"));
     m_lesson->setWordWrap(true);
     m_lesson->setTextFormat(Qt::PlainText);
     auto* leave =

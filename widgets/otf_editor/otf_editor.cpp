@@ -149,6 +149,7 @@ QWidget* OtfEditor::makeAdaptivePage() {
     column->setContentsMargins(0, 0, 0, 0);
     m_adaptiveNote = secondaryLabel();
     m_adaptiveNote->setObjectName("otfEditor.adaptive.note");
+    m_adaptiveNote->setAccessibleName(tr("Note on the adaptive curve"));
     m_adaptiveNote->setWordWrap(true);
     m_adaptiveNote->setTextFormat(Qt::RichText);
     column->addWidget(m_adaptiveNote);
@@ -162,6 +163,7 @@ QWidget* OtfEditor::makeDesignPage() {
     column->setContentsMargins(0, 0, 0, 0);
     m_designNote = secondaryLabel();
     m_designNote->setObjectName("otfEditor.design.note");
+    m_designNote->setAccessibleName(tr("Note on the designer's OTF"));
     m_designNote->setWordWrap(true);
     m_designNote->setTextFormat(Qt::PlainText);
     column->addWidget(m_designNote);

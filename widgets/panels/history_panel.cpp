@@ -32,6 +32,7 @@ HistoryPanel::HistoryPanel(DocumentSteps& steps, QWidget* parent)
     m_steps->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_steps->setModel(m_texts);
     m_dropped->setObjectName("history.dropped");
+    m_dropped->setAccessibleName(tr("Steps that were dropped"));
     m_dropped->setWordWrap(true);
     m_dropped->hide();
     m_snapshots->setObjectName("history.snapshots");

@@ -42,6 +42,7 @@ PresetsPanel::PresetsPanel(QWidget* parent) : QWidget(parent) {
     m_open->setFocusPolicy(Qt::StrongFocus);
     m_currentName = secondaryLabel();
     m_currentName->setObjectName("presets.current");
+    m_currentName->setAccessibleName(tr("Preset that is shown"));
     m_gallery = new QWidget;
     createList();
     auto* save = named(new QPushButton(tr("Save as preset")), "presets.save", tr("Save as preset"),
@@ -104,7 +105,7 @@ void PresetsPanel::createActions() {
     m_more->setPopupMode(QToolButton::InstantPopup);
     m_more->setFocusPolicy(Qt::StrongFocus);
     m_more->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    auto* menu = new QMenu(m_more);
+    auto* menu = named(new QMenu(m_more), "presets.more.menu", tr("Manage presets"));
     menu->setToolTipsVisible(true);
     const auto add = [this, menu](const QString& text, const QString& name, auto&& run) {
         QAction* action = menu->addAction(text);
