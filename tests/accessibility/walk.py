@@ -111,7 +111,9 @@ def try_actions(node):
             actions.doAction(names.index(one))
             worked += value() != before
             actions.doAction(names.index(back))
-    if role == pyatspi.ROLE_CHECK_BOX and "Toggle" in names and node.name not in PANELS:
+    # A side that is taken once more stays taken.
+    stays = node.name in PANELS or node.parent.name == "Sides of the scan"
+    if role == pyatspi.ROLE_CHECK_BOX and "Toggle" in names and not stays:
         before = state()
         tried += 1
         actions.doAction(names.index("Toggle"))

@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QSpinBox>
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -77,7 +78,12 @@ private slots:
 
     void noNameOfAnyVersionIsGone() {
         const QStringList now = sortedNames(m_controls);
-        writeIfAsked(listOfNames.arg(ECHOLUCENT_VERSION), now.join('\n').toUtf8() + '\n');
+        // A name is added when the list is written, and none is taken out.
+        QStringList kept = QString::fromUtf8(contentsOfFile(listOfNames.arg(ECHOLUCENT_VERSION))).split('\n') + now;
+        kept.removeAll(QString());
+        std::sort(kept.begin(), kept.end());
+        kept.removeDuplicates();
+        writeIfAsked(listOfNames.arg(ECHOLUCENT_VERSION), kept.join('\n').toUtf8() + '\n');
         const QDir lists(QFileInfo(listOfNames).path());
         const QStringList versions = lists.entryList({"*.txt"});
         QVERIFY(versions.contains(ECHOLUCENT_VERSION ".txt"));

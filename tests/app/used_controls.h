@@ -84,9 +84,31 @@ public:
 
 private:
     static bool leadsElsewhere(const NamedControl& control) {
-        for (const char* elsewhere : {"dock.", "lessons", "file.", "menu", "compare.figure", "compare.motions", "help.",
-                                      "view.fullScreen", "face.", "view.review", "view.teach", "history", "presets",
-                                      "toolBar", "motion.play", "study.", "message", "theory", "edit."})
+        for (const char* elsewhere : {"dock.",
+                                      "lessons",
+                                      "file.",
+                                      "menu",
+                                      "compare.figure",
+                                      "compare.motions",
+                                      "help.",
+                                      "view.fullScreen",
+                                      "face.",
+                                      "view.review",
+                                      "view.teach",
+                                      "history",
+                                      "presets",
+                                      "toolBar",
+                                      "motion.play",
+                                      "study.",
+                                      "message",
+                                      "theory",
+                                      "edit.",
+                                      "otfEditor.action.undo",
+                                      "view.nearCut.suggest",
+                                      "view.findFront",
+                                      "otfEditor.action.redo",
+                                      "otfEditor.undo",
+                                      "otfEditor.redo"})
             if (control.name.startsWith(QLatin1String(elsewhere))) return true;
         const auto* button = qobject_cast<const QAbstractButton*>(control.object.data());
         return control.label.endsWith(u'…') || (button != nullptr && button->text().endsWith(u'…'));

@@ -40,8 +40,11 @@ QAccessible::Role ButtonAccess::role() const {
 }
 
 QString ButtonAccess::text(QAccessible::Text kind) const {
-    const QString words = QAccessibleWidget::text(kind);
-    return kind == QAccessible::Name && words.isEmpty() ? m_button.text().remove(u'&') : words;
+    // QAccessibleWidget would call it by the group around it.
+    if (kind != QAccessible::Name || !m_button.accessibleName().isEmpty() || m_button.text().isEmpty())
+        return QAccessibleWidget::text(kind);
+    constexpr char16_t kept = 0x1;
+    return m_button.text().replace(QLatin1String("&&"), QString(QChar(kept))).remove(u'&').replace(QChar(kept), u'&');
 }
 
 QAccessible::State ButtonAccess::state() const {
@@ -50,20 +53,25 @@ QAccessible::State ButtonAccess::state() const {
     state.checked = m_button.isChecked();
     state.pressed = m_button.isDown();
     state.hasPopup = opensMenu(m_button);
+    const auto* push = qobject_cast<const QPushButton*>(&m_button);
+    state.defaultButton = push != nullptr && push->isDefault();
     return state;
 }
 
 QStringList ButtonAccess::actionNames() const {
     if (!m_button.isEnabled()) return {};
-    const QString click = opensMenu(m_button)      ? showMenuAction()
-                          : m_button.isCheckable() ? toggleAction()
-                                                   : pressAction();
-    return {click, setFocusAction()};
+    const auto* tool = qobject_cast<const QToolButton*>(&m_button);
+    const bool onlyMenu = opensMenu(m_button) && (tool == nullptr || tool->popupMode() == QToolButton::InstantPopup);
+    QStringList names;
+    if (!onlyMenu) names << (m_button.isCheckable() ? toggleAction() : pressAction());
+    if (opensMenu(m_button)) names << showMenuAction();
+    return names + QAccessibleWidget::actionNames();
 }
 
 void ButtonAccess::doAction(const QString& name) {
     if (name != toggleAction() && name != pressAction() && name != showMenuAction())
         return QAccessibleWidget::doAction(name);
+    if (!m_button.isEnabled()) return;
     auto* tool = qobject_cast<QToolButton*>(&m_button);
     if (name == showMenuAction() && tool != nullptr)
         QMetaObject::invokeMethod(tool, &QToolButton::showMenu, Qt::QueuedConnection);

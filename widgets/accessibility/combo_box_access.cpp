@@ -11,7 +11,11 @@ ComboBoxAccess::ComboBoxAccess(QComboBox& box) : QAccessibleWidget(&box, QAccess
 
 QString ComboBoxAccess::text(QAccessible::Text kind) const {
     if (kind == QAccessible::Value) return m_box.currentText();
-    return QAccessibleWidget::text(kind);
+    const QString words = QAccessibleWidget::text(kind);
+    if (kind != QAccessible::Name) return words;
+    // Of a box AT-SPI hands on the name alone, and tells of a change of the value by it.
+    if (words.isEmpty() || m_box.currentText().isEmpty()) return words + m_box.currentText();
+    return words + QStringLiteral(": ") + m_box.currentText();
 }
 
 QAccessible::State ComboBoxAccess::state() const {
@@ -31,7 +35,8 @@ QAccessibleInterface* ComboBoxAccess::child(int place) const {
     if (place == 1) part = m_box.lineEdit();  // null if the box is not editable
     if (part == nullptr) return nullptr;
     // Qt gives them no name: they are called as the box.
-    if (part->accessibleName().isEmpty()) part->setAccessibleName(text(QAccessible::Name));
+    const QString label = QAccessibleWidget::text(QAccessible::Name);
+    if (part->accessibleName() != label) part->setAccessibleName(label);
     return QAccessible::queryAccessibleInterface(part);
 }
 

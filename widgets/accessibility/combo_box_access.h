@@ -7,7 +7,8 @@ class QComboBox;
 
 namespace echolucent {
 
-/// Its name is its accessible name, else the text of its buddy. The value is the entry that is chosen. The child is the
+/// Its name is its accessible name, else the text of its buddy, and behind it the entry that is chosen: "Colour map:
+/// Sepia". The child is the
 /// list of entries, and of an editable box also the field. Its actions open the list and close it.
 class ComboBoxAccess : public QAccessibleWidget {
 public:

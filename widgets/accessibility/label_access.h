@@ -13,7 +13,10 @@ class LabelAccess : public QAccessibleWidget {
 public:
     explicit LabelAccess(QLabel& label);
 
+    QAccessible::Role role() const override;
     QString text(QAccessible::Text kind) const override;
+    QList<QPair<QAccessibleInterface*, QAccessible::Relation>> relations(
+        QAccessible::Relation match = QAccessible::AllRelations) const override;
     QAccessible::State state() const override;
 
 private:

@@ -7,6 +7,8 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QWidget>
+#include <algorithm>
+#include <cmath>
 
 #include "widgets/accessibility/button_access.h"
 #include "widgets/accessibility/combo_box_access.h"
@@ -60,15 +62,19 @@ public:
     }
 
     QVariant currentValue() const override { return node().value_or(SpokenNode{}).opacity; }
-    void setCurrentValue(const QVariant& value) override { m_spoken.setSpokenOpacity(m_place, value.toDouble()); }
+    void setCurrentValue(const QVariant& value) override {
+        bool isNumber = false;
+        const double opacity = value.toDouble(&isNumber);
+        if (isNumber && std::isfinite(opacity) && canBeUsed()) m_spoken.setSpokenOpacity(m_place, opacity);
+    }
     QVariant maximumValue() const override { return 1.0; }
     QVariant minimumValue() const override { return 0.0; }
     QVariant minimumStepSize() const override { return spokenOpacityStep; }
 
     QStringList actionNames() const override { return {setFocusAction(), increaseAction(), decreaseAction()}; }
     void doAction(const QString& action) override {
+        if (!canBeUsed()) return;
         const auto now = node();
-        if (!now) return;
         if (action == setFocusAction()) m_spoken.chooseSpokenNode(m_place);
         if (action == increaseAction()) m_spoken.setSpokenOpacity(m_place, now->opacity + spokenOpacityStep);
         if (action == decreaseAction()) m_spoken.setSpokenOpacity(m_place, now->opacity - spokenOpacityStep);
@@ -76,6 +82,8 @@ public:
     QStringList keyBindingsForAction(const QString&) const override { return {}; }
 
 private:
+    /// The node may be gone, and a disabled widget takes no changes.
+    bool canBeUsed() const { return m_widget.isEnabled() && node().has_value(); }
     std::optional<SpokenNode> node() const {
         const std::vector<SpokenNode> nodes = m_spoken.spokenNodes();
         if (m_place >= static_cast<int>(nodes.size())) return std::nullopt;
@@ -99,7 +107,8 @@ public:
     QString text(QAccessible::Text kind) const override {
         const QString words = QAccessibleWidget::text(kind), now = m_spoken.spokenState();
         if (kind == QAccessible::Value) return now;
-        return kind == QAccessible::Description && !now.isEmpty() ? (words + QStringLiteral(". ") + now) : words;
+        if (kind != QAccessible::Description || now.isEmpty()) return words;
+        return words.isEmpty() ? now : words + QStringLiteral(". ") + now;
     }
     int childCount() const override { return nodeCount() + QAccessibleWidget::childCount(); }
     QAccessibleInterface* child(int place) const override {
@@ -107,8 +116,8 @@ public:
         return place >= 0 && place < nodes ? node(place) : QAccessibleWidget::child(place - nodes);
     }
     int indexOfChild(const QAccessibleInterface* child) const override {
-        for (std::size_t place = 0; place < m_nodes.size(); ++place)
-            if (QAccessible::accessibleInterface(m_nodes[place]) == child) return static_cast<int>(place);
+        for (int place = 0; place < nodeCount(); ++place)
+            if (node(place) == child) return place;
         const int place = QAccessibleWidget::indexOfChild(child);
         return place < 0 ? place : place + nodeCount();
     }
@@ -153,9 +162,8 @@ public:
 private:
     int nodeCount() const { return static_cast<int>(m_spoken.spokenNodes().size()); }
     bool isSpoken(const QString& name) const {
-        for (const SpokenAction& action : m_spoken.spokenActions())
-            if (action.name == name) return true;
-        return false;
+        return std::ranges::any_of(m_spoken.spokenActions(),
+                                   [&name](const SpokenAction& action) { return action.name == name; });
     }
     QAccessibleInterface* node(int place) const {
         while (static_cast<int>(m_nodes.size()) <= place)
@@ -180,7 +188,9 @@ QAccessibleInterface* makeAccess(const QString& className, QObject* object) {
 }
 
 QAccessibleInterface* nodeOf(QWidget& widget, int node) {
-    if (!QAccessible::isActive() || node < 0) return nullptr;
+    if (!QAccessible::isActive()) return nullptr;
+    const auto* spoken = dynamic_cast<SpokenWidget*>(&widget);
+    if (spoken == nullptr || node < 0 || node >= static_cast<int>(spoken->spokenNodes().size())) return nullptr;
     QAccessibleInterface* access = QAccessible::queryAccessibleInterface(&widget);
     return access != nullptr ? access->child(node) : nullptr;
 }
@@ -210,6 +220,9 @@ void tellNodeChosen(QWidget& widget, int node) {
 void tellNodeChanged(QWidget& widget, int node) {
     QAccessibleInterface* access = nodeOf(widget, node);
     if (access == nullptr) return;
+    // The name says where the node lies.
+    QAccessibleEvent moved(access, QAccessible::NameChanged);
+    QAccessible::updateAccessibility(&moved);
     QAccessibleValueChangeEvent changed(access, access->valueInterface()->currentValue());
     QAccessible::updateAccessibility(&changed);
 }

@@ -100,7 +100,8 @@ NamedControl controlOf(QWidget& widget) {
     if (interface != nullptr) {
         control.role = wordOf(interface->role());
         // Many buttons are called as they are written. What a label says is no name: it changes.
-        if (control.label.isEmpty() && !qobject_cast<const QLabel*>(&widget))
+        if (control.label.isEmpty() && !qobject_cast<const QLabel*>(&widget) &&
+            !qobject_cast<const QComboBox*>(&widget))
             control.label = oneLine(interface->text(QAccessible::Name)).remove(u'&');
     }
     if (qobject_cast<const QDockWidget*>(&widget)) {
@@ -123,7 +124,7 @@ NamedControl controlOf(QAction& action) {
         action.text().remove(u'&')};
     control.description = oneLine(meaningOf(action));
     // Qt makes a tool tip of the text.
-    if (QString(control.label).remove(u'…') == control.description) control.description.clear();
+    if (QString(control.label).remove(u'…') == QString(control.description).remove(u'…')) control.description.clear();
     control.key = action.shortcut().toString(QKeySequence::PortableText);
     return control;
 }

@@ -163,6 +163,7 @@ void CurveCanvas::chooseSpokenNode(int node) {
 void CurveCanvas::setSpokenOpacity(int node, double opacity) {
     const double intensity = m_model.state().manual.nodes[static_cast<std::size_t>(node)].intensity;
     m_model.moveNode(node, {intensity, opacity});
+    if (node != m_model.selectedNode()) tellNodeChanged(*this, node);
 }
 
 bool CurveCanvas::event(QEvent* event) {

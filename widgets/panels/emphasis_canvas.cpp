@@ -197,6 +197,7 @@ std::vector<SpokenNode> EmphasisCanvas::spokenNodes() const {
 }
 
 void EmphasisCanvas::chooseSpokenNode(int node) {
+    if (m_dragging) return;
     setFocus(Qt::OtherFocusReason);
     m_selected = node;
     update();
@@ -206,6 +207,7 @@ void EmphasisCanvas::chooseSpokenNode(int node) {
 void EmphasisCanvas::setSpokenOpacity(int node, double opacity) {
     if (m_dragging) return;
     m_selected = node;
+    update();
     moveSelected({m_nodes[static_cast<std::size_t>(node)].position, opacity});
 }
 
