@@ -13,6 +13,7 @@
 #include "widgets/document/document_steps.h"
 #include "widgets/names/named_controls.h"
 #include "widgets/otf_editor/curve_canvas.h"
+#include "widgets/panels/emphasis_canvas.h"
 
 using namespace echolucent;
 
@@ -138,6 +139,26 @@ private slots:
         node->valueInterface()->setCurrentValue("much");
         QCOMPARE(node->valueInterface()->currentValue().toDouble(), 1.0);
         QCOMPARE(window().document().document().curves.manual.nodes.size(), std::size_t{2});
+    }
+
+    void theNodesOfTheEmphasisAreChildrenToo() {
+        EmphasisCanvas canvas;
+        QAccessibleInterface* access = accessOf(&canvas);
+        QCOMPARE(access->childCount(), 3);
+        QAccessibleInterface* node = access->child(1);
+        QCOMPARE(node->text(QAccessible::Name), "Node 2 of 3, position in boundary 0.00");
+        QSignalSpy edited(&canvas, &EmphasisCanvas::edited);
+        node->actionInterface()->doAction(QAccessibleActionInterface::decreaseAction());
+        QCOMPARE(edited.size(), 1);
+        QCOMPARE(node->valueInterface()->currentValue().toDouble(), 1.0 - spokenOpacityStep);
+        canvas.setEnabled(false);
+        node->valueInterface()->setCurrentValue(0.5);
+        QCOMPARE(edited.size(), 1);
+    }
+
+    void aSliderSaysItsToolTip() {
+        const QString said = accessOf(child("view.brightness"))->text(QAccessible::Description);
+        QVERIFY2(said.startsWith("How bright the picture is"), qPrintable(said));
     }
 
     void aPlaneSaysWhereItLiesAndStepsByAction() {

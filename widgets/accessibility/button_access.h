@@ -7,7 +7,7 @@ class QAbstractButton;
 
 namespace echolucent {
 
-/// A button that can be checked is a check box; one of several of which one is always checked is a radio button. Qt
+/// A button that can be checked is a check box. If one of several buttons is always checked, each is a radio button. Qt
 /// toggles such a button without a click, and the parts of the window that wait for clicks would not follow. A button
 /// that opens a menu says so. The click comes a moment later: what it opens may wait for an answer.
 class ButtonAccess : public QAccessibleWidget {

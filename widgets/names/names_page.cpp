@@ -13,13 +13,7 @@ struct Row {
     NamedControl control;
     QStringList names;  ///< of all that the row stands for
     QString paths;
-    QString alike{};  ///< what rows that differ only in a number have in common
 };
-
-const QRegularExpression& numbers() {
-    static const QRegularExpression digits(QStringLiteral("\\d+"));
-    return digits;
-}
 
 /// The panel's own name left out: every panel has these.
 QString ofEveryPanel(const QString& name) {
@@ -29,26 +23,12 @@ QString ofEveryPanel(const QString& name) {
 
 QString cell(QString words) { return words.replace(u'|', QLatin1String("\\|")); }
 
-/// "`view.brightness`, `.value`, `.reset`", "`sides.picture1` to `6`".
+/// "`view.brightness`, `.value`, `.reset`".
 QString namesCell(const Row& row) {
     QString words = QStringLiteral("`%1`").arg(row.names.front());
-    for (qsizetype i = 1; i < row.names.size(); ++i) {
-        const QString& name = row.names[i];
-        if (name.startsWith(row.names.front() + u'.'))
-            words += QStringLiteral(", `%1`").arg(name.mid(row.names.front().size()));
-        else if (i + 1 == row.names.size())
-            words += QStringLiteral(" to `%1`").arg(name);
-    }
+    for (qsizetype i = 1; i < row.names.size(); ++i)
+        words += QStringLiteral(", `%1`").arg(row.names[i].mid(row.names.front().size()));
     return words;
-}
-
-/// What two rows must have in common to become one: all words with their numbers left out.
-QString alikeOf(const Row& row) {
-    QString key = row.names.join(u' ') + u'\n' + row.control.role + u'\n' + row.control.label + u'\n' +
-                  row.control.description + u'\n' + row.paths;
-    return key.contains(numbers()) && row.names.front().contains(numbers())
-               ? key.replace(numbers(), QStringLiteral("#"))
-               : QString();
 }
 
 std::vector<Row> rowsOf(const std::vector<NamedControl>& controls, const SetPaths& paths) {
@@ -74,20 +54,7 @@ std::vector<Row> rowsOf(const std::vector<NamedControl>& controls, const SetPath
         const auto path = paths.find(control.name);
         rows.push_back({control, {control.name}, path != paths.end() ? path->second : QString()});
     }
-    std::vector<Row> joined;
-    std::map<QString, std::size_t> alike;
-    for (Row& row : rows) {
-        row.alike = alikeOf(row);
-        if (!row.alike.isEmpty()) {
-            const auto [first, isNew] = alike.try_emplace(row.control.place + row.alike, joined.size());
-            if (!isNew) {
-                joined[first->second].names << row.names.front();
-                continue;
-            }
-        }
-        joined.push_back(row);
-    }
-    return joined;
+    return rows;
 }
 
 }  // namespace
@@ -105,13 +72,11 @@ QString namesPage(const std::vector<NamedControl>& controls, const SetPaths& pat
         "readers say its label. A name that stands here stays: `tests/app/names/` holds the names of each version, and "
         "TestNames fails if\n"
         "one of them is gone. *Sets* names the values of the document that a control changes\n"
-        "([paths](document.md#paths)); what it says was measured by using the control. If the cell is empty, the "
+        "([paths](document.md#paths)). What it says was measured by using the control. If the cell is empty, the "
         "control "
-        "changes what is shown,\n"
-        "opens something, writes a file, or was disabled. `.value` is the number beside a slider, `.reset` the button "
-        "behind it. The focus "
-        "goes through a panel\n"
-        "from top to bottom.\n\n"
+        "changes what is\n"
+        "shown, opens something, writes a file, or was disabled. `.value` is the number beside a slider, `.reset` the "
+        "button behind it.\n\n"
         "<!-- The program writes this page, and tests/app/test_names.cpp says how. Nobody edits it by hand. -->\n");
     for (const QString& place : places) {
         page +=

@@ -13,8 +13,7 @@ namespace echolucent {
 using SetPaths = std::map<QString, QString>;
 
 /// The page as Markdown: a table for each place of the controls, in the order of their first. The number of a slider
-/// and its reset stand in the slider's row. Controls that differ only in a number stand in one row, and so do the tabs
-/// that every panel has.
+/// and its reset stand in the slider's row. The tabs that every panel has stand in one table.
 [[nodiscard]] QString namesPage(const std::vector<NamedControl>& controls, const SetPaths& paths);
 
 /// The object names of controls in alphabetical order, each once.
